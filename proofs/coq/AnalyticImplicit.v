@@ -1,9 +1,10 @@
 (** * The analytic implicit function theorem
 
-    For F(t, b) = sum c_k(b) t^k of an entire family with F(t0, b0) = 0 and a = dF/dt(t0, b0) <> 0. The map Phi(x) = x - F(t0 + x, b0 + h)/a
-    = - F(t0, b0 + h)/a + (1 - F_t(t0, b0 + h)/a) x - Q x^2/a takes the power series x(h) of norm at most rho on |h| < r into themselves ([iteration_norm]):
-    the first two factors vanish at h = 0. For each h it is a contraction of [-rho, rho] ([contraction]), and F(t0 + ., b0 + h) has a zero there
-    ([zero_exists]). So the iterates of 0 tend to the zero, and the zero is a power series of h, by [norm_limit]. *)
+    For F(t, b) = sum c_k(b) t^k of an entire family with F(t0, b0) = 0 and a = dF/dt(t0, b0) <> 0. The map Phi(x) = x -
+    F(t0 + x, b0 + h)/a = - F(t0, b0 + h)/a + (1 - F_t(t0, b0 + h)/a) x - Q x^2/a takes the power series x(h) of norm at
+    most rho on |h| < r into themselves ([iteration_norm]): the first two factors vanish at h = 0. For each h it is a
+    contraction of [-rho, rho] ([contraction]), and F(t0 + ., b0 + h) has a zero there ([zero_exists]). So the iterates
+    of 0 tend to the zero, and the zero is a power series of h, by [norm_limit]. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -21,7 +22,8 @@ Lemma second_quotient_correct t0 x k : (t0 + x) ^ k = t0 ^ k + INR k * t0 ^ pred
 Proof.
 induction k as [|k IH]; [simpl; ring|].
 change ((t0 + x) ^ S k) with ((t0 + x) * (t0 + x) ^ k). rewrite IH. cbn [second_quotient pred]. rewrite S_INR.
-destruct k as [|k]; [simpl; ring|]. cbn [pred]. change (t0 ^ S (S k)) with (t0 * t0 ^ S k). change (t0 ^ S k) with (t0 * t0 ^ k). ring.
+destruct k as [|k]; [simpl; ring|]. cbn [pred]. change (t0 ^ S (S k)) with (t0 * t0 ^ S k).
+change (t0 ^ S k) with (t0 * t0 ^ k). ring.
 Qed.
 
 Lemma second_quotient_norm r t0 Y x k : 0 < r -> 1 <= Y -> Rabs t0 <= Y -> norm_at_most r Y (fun h => t0 + x h) ->
@@ -67,15 +69,19 @@ assert (T : forall k, norm_at_most r' (M * (1 / 2) ^ k) (fun h => c k (b0 + h) *
     split; apply pow_nonzero; unfold Y; lra.
   - apply (norm_mult r' _ _ (fun h => c k (b0 + h)) (fun h => second_quotient t0 (x h) k)); try lra.
     apply (norm_smaller r); auto. apply second_quotient_norm; auto; unfold Y; lra. }
-assert (Sum : forall h, Rabs h < r' -> is_lim_seq (fun N => sum_first (fun k => c k (b0 + h) * second_quotient t0 (x h) k) N) (second_sum t0 (x h) (b0 + h))).
-{ intros h Hh. apply is_lim_seq_incr_1. apply (is_lim_seq_ext (sum_n (fun k => c k (b0 + h) * second_quotient t0 (x h) k))).
+assert (Sum : forall h, Rabs h < r' ->
+  is_lim_seq (fun N => sum_first (fun k => c k (b0 + h) * second_quotient t0 (x h) k) N)
+    (second_sum t0 (x h) (b0 + h))).
+{ intros h Hh. apply is_lim_seq_incr_1.
+  apply (is_lim_seq_ext (sum_n (fun k => c k (b0 + h) * second_quotient t0 (x h) k))).
   { intros N. apply sum_first_sum_n. }
   apply (Series_correct (fun k => c k (b0 + h) * second_quotient t0 (x h) k)).
   apply (ex_series_le (V := R_CompleteNormedModule) _ (fun k => M * (1 / 2) ^ k)).
   - intros k. exact (norm_value r' _ _ h ltac:(lra) (T k) Hh).
   - apply (ex_series_scal (V := R_NormedModule) M (fun k => (1 / 2) ^ k)), ex_series_geom. rewrite Rabs_pos_eq; lra. }
 split.
-- apply (norm_series r' (fun k h => c k (b0 + h) * second_quotient t0 (x h) k) (fun k => M * (1 / 2) ^ k)); auto; try lra.
+- apply (norm_series r' (fun k h => c k (b0 + h) * second_quotient t0 (x h) k) (fun k => M * (1 / 2) ^ k)); auto;
+    try lra.
   intros N. rewrite sum_first_scal. apply Rmult_le_compat_l.
   + assert (V := norm_bound_nonneg _ _ _ (HM 0%nat)). simpl in V. lra.
   + assert (G := sum_geometric (1 / 2) N ltac:(lra)). replace (/ (1 - 1 / 2)) with 2 in G by field. exact G.
@@ -91,7 +97,8 @@ split.
     (is_lim_seq_mult' _ _ _ _ (is_lim_seq_const (y ^ 2)) L3)).
   assert (E : is_lim_seq (fun N => sum_first (fun k => c k b * (t0 + y) ^ k) N)
     (family_sum c t0 b + family_sum (derived c) t0 b * y + y ^ 2 * second_sum t0 y b)).
-  { apply (is_lim_seq_ext (fun N => sum_first (fun k => c k b * t0 ^ k) N + sum_first (fun k => INR k * c k b * t0 ^ pred k) N * y
+  { apply (is_lim_seq_ext (fun N => sum_first (fun k => c k b * t0 ^ k) N + sum_first (fun k =>
+      INR k * c k b * t0 ^ pred k) N * y
       + y ^ 2 * sum_first (fun k => c k b * second_quotient t0 y k) N)); [|exact R].
     intros N. rewrite (sum_first_ext (fun k => c k b * (t0 + y) ^ k)
       (fun k => c k b * t0 ^ k + (y * (INR k * c k b * t0 ^ pred k) + y ^ 2 * (c k b * second_quotient t0 y k)))).
@@ -121,13 +128,16 @@ assert (Hc1 := derived_entire c Hc). assert (Hc2 := derived_entire _ Hc1).
 destruct (second_sum_norm c Hc t0 b0 1 1 Rlt_0_1 Rlt_0_1) as [K HK].
 destruct (family_norm c t0 b0 1 Hc Rlt_0_1) as [M0 HM0].
 destruct (family_norm (derived c) t0 b0 1 Hc1 Rlt_0_1) as [M1 HM1].
-destruct (family_substitute (derived (derived c)) b0 1 (Rabs t0 + 1) Hc2 Rlt_0_1 ltac:(generalize (Rabs_pos t0); lra)) as [M2 HM2].
+destruct (family_substitute (derived (derived c)) b0 1 (Rabs t0 + 1) Hc2 Rlt_0_1 ltac:(generalize (Rabs_pos t0); lra))
+  as [M2 HM2].
 assert (Pa : 0 < / Rabs a) by (apply Rinv_0_lt_compat, Rabs_pos_lt, Ha).
 assert (K0 : 0 <= K).
-{ destruct (HK 1 (fun _ => 0) ltac:(lra)) as [V _]. apply (norm_weaken 1 (Rabs 0)). rewrite Rabs_R0; lra. apply norm_const.
+{ destruct (HK 1 (fun _ => 0) ltac:(lra)) as [V _]. apply (norm_weaken 1 (Rabs 0)). rewrite Rabs_R0; lra.
+  apply norm_const.
   exact (norm_bound_nonneg _ _ _ V). }
 assert (V0 := norm_bound_nonneg _ _ _ HM0). assert (V1 := norm_bound_nonneg _ _ _ HM1).
-assert (N2 : forall h t, Rabs h < 1 -> Rabs t <= Rabs t0 + 1 -> Rabs (family_sum (derived (derived c)) t (b0 + h)) <= M2).
+assert (N2 : forall h t, Rabs h < 1 -> Rabs t <= Rabs t0 + 1 -> Rabs (family_sum (derived (derived c)) t (b0 + h))
+  <= M2).
 { intros h t Hh Ht. apply (norm_value 1 M2 (fun h => family_sum (derived (derived c)) t (b0 + h)) h Rlt_0_1); auto.
   apply (HM2 1 (fun _ => t)). lra. apply (norm_weaken 1 (Rabs t)); auto. apply norm_const. }
 assert (V2 : 0 <= M2). { eapply Rle_trans; [apply Rabs_pos|apply (N2 0 t0)]. rewrite Rabs_R0; lra. lra. }
@@ -139,13 +149,15 @@ assert (EB : rho * B = rho * K * / Rabs a + rho * M2 * / Rabs a) by (unfold B; r
 assert (BK : 0 <= rho * K * / Rabs a) by (repeat apply Rmult_le_pos; lra).
 assert (BM : 0 <= rho * M2 * / Rabs a) by (repeat apply Rmult_le_pos; lra).
 set (C := M0 * / Rabs a + (M1 * / Rabs a + 1)).
-assert (P0 : 0 <= M0 * / Rabs a) by (apply Rmult_le_pos; lra). assert (P1 : 0 <= M1 * / Rabs a) by (apply Rmult_le_pos; lra).
+assert (P0 : 0 <= M0 * / Rabs a) by (apply Rmult_le_pos; lra).
+assert (P1 : 0 <= M1 * / Rabs a) by (apply Rmult_le_pos; lra).
 set (r := rho / (4 * C)). assert (HC : 1 <= C) by (unfold C; lra).
 assert (Hr : 0 < r) by (apply Rdiv_lt_0_compat; lra).
 assert (ErC : r * C = rho / 4) by (unfold r; field; lra).
 assert (Hr1 : r <= 1) by nra.
 assert (R0 : M0 * / Rabs a * r <= rho / 4 /\ (M1 * / Rabs a + 1) * r <= 1 / 4).
-{ assert (0 <= M0 * / Rabs a * r) by (apply Rmult_le_pos; lra). assert (0 <= (M1 * / Rabs a + 1) * r) by (apply Rmult_le_pos; lra).
+{ assert (0 <= M0 * / Rabs a * r) by (apply Rmult_le_pos; lra).
+  assert (0 <= (M1 * / Rabs a + 1) * r) by (apply Rmult_le_pos; lra).
   assert (E : r * C = M0 * / Rabs a * r + (M1 * / Rabs a + 1) * r) by (unfold C; ring). lra. }
 assert (A0 : norm_at_most r (rho / 4) (fun h => - / a * family_sum c t0 (b0 + h))).
 { apply (norm_weaken r (Rabs (/ a) * M0 * (r / 1))). { rewrite Rabs_inv. unfold Rdiv at 1. rewrite Rinv_1. lra. }
@@ -171,22 +183,30 @@ exists rho, r. refine (conj Hrho (conj Hr (conj _ (conj _ _)))).
   + apply norm_scal. apply (norm_mult r _ _ (fun h => x h ^ 2)); auto. apply norm_pow; auto.
 - intros h y Hh Hy. assert (Y := norm_value r _ _ h Hr A1 Hh). cbv beta in Y.
   assert (D : Rabs (family_sum (derived c) (t0 + y) (b0 + h) - family_sum (derived c) t0 (b0 + h)) <= M2 * Rabs y).
-  { destruct (MVT_gen (fun t => family_sum (derived c) t (b0 + h)) t0 (t0 + y) (fun t => family_sum (derived (derived c)) t (b0 + h))) as (xi & Hxi & E).
+  { destruct (MVT_gen (fun t => family_sum (derived c) t (b0 + h)) t0 (t0 + y) (fun t =>
+      family_sum (derived (derived c)) t (b0 + h))) as (xi & Hxi & E).
     - intros t _. apply family_derive, Hc1.
     - intros t _. apply derivable_continuous_pt. eexists. apply is_derive_Reals, family_derive, Hc1.
-    - rewrite E, Rabs_mult. replace (t0 + y - t0) with y by ring. apply Rmult_le_compat_r. apply Rabs_pos. apply N2. lra.
+    - rewrite E, Rabs_mult. replace (t0 + y - t0) with y by ring. apply Rmult_le_compat_r. apply Rabs_pos. apply N2.
+      lra.
       replace xi with (t0 + (xi - t0)) by ring. eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_l.
       assert (Hy' := proj1 (Rabs_le_between _ _) Hy). apply Rabs_le.
       revert Hxi. unfold Rmin, Rmax. destruct Rle_dec; lra. }
   replace (1 - family_sum (derived c) (t0 + y) (b0 + h) / a) with ((1 - family_sum (derived c) t0 (b0 + h) / a)
     + - / a * (family_sum (derived c) (t0 + y) (b0 + h) - family_sum (derived c) t0 (b0 + h))) by (field; exact Ha).
   eapply Rle_trans; [apply Rabs_triang|]. rewrite (Rabs_mult (- / a)), Rabs_Ropp, Rabs_inv.
-  assert (/ Rabs a * Rabs (family_sum (derived c) (t0 + y) (b0 + h) - family_sum (derived c) t0 (b0 + h)) <= rho * M2 * / Rabs a); [|lra].
-  rewrite Rmult_comm. apply Rmult_le_compat_r; [lra|]. eapply Rle_trans; [exact D|]. rewrite Rmult_comm. apply Rmult_le_compat_r; auto.
+  assert (/ Rabs a * Rabs (family_sum (derived c) (t0 + y) (b0 + h) - family_sum (derived c) t0 (b0 + h))
+    <= rho * M2 * / Rabs a); [|lra].
+  rewrite Rmult_comm. apply Rmult_le_compat_r; [lra|]. eapply Rle_trans; [exact D|]. rewrite Rmult_comm.
+  apply Rmult_le_compat_r; auto.
 - intros h Hh. assert (Y := norm_value r _ _ h Hr A0 Hh). cbv beta in Y. unfold F. rewrite Rplus_0_r.
-  replace (family_sum c t0 (b0 + h) / a) with (- (- / a * family_sum c t0 (b0 + h))) by (field; exact Ha). rewrite Rabs_Ropp. exact Y.
+  replace (family_sum c t0 (b0 + h) / a) with (- (- / a * family_sum c t0 (b0 + h))) by (field; exact Ha).
+  rewrite Rabs_Ropp. exact Y.
 Qed.
 
+(** Plan: Phi h y = y - F h y/a halves distances ([good_radii]: its slope is at most 1/2). So F h has one zero in [-rho,
+    rho]: one by the intermediate value theorem, no two since both would be fixed points of Phi h. The iterates of Phi h
+    from 0 have norms at most rho and tend to it: so it is a power series in h with norm at most rho. *)
 Theorem implicit_analytic : exists z rho r M, 0 < rho /\ 0 < r /\ norm_at_most r M z /\ z 0 = 0 /\
   forall h y, Rabs h < r -> Rabs y <= rho -> (family_sum c (t0 + y) (b0 + h) = 0 <-> y = z h).
 Proof.
@@ -195,11 +215,15 @@ assert (DP : forall h y, is_derive (Phi h) y (1 - family_sum (derived c) (t0 + y
 { intros h y. set (d := family_sum (derived c) (t0 + y) (b0 + h)).
   assert (DF : is_derive (F h) y d).
   { apply (is_derive_val _ _ (1 * d)); [|apply Rmult_1_l].
-    apply (is_derive_comp (fun t => family_sum c t (b0 + h)) (fun y => t0 + y) y d 1). apply family_derive, Hc. auto_derive; auto; ring. }
+    apply (is_derive_comp (fun t => family_sum c t (b0 + h)) (fun y => t0 + y) y d 1). apply family_derive, Hc.
+    auto_derive; auto; ring. }
   apply (is_derive_val _ _ (1 - / a * d)); [|unfold Rdiv; rewrite (Rmult_comm d); reflexivity].
-  apply (is_derive_ext (fun y => y - / a * F h y)). { intros t. unfold Phi. match goal with |- ?u = ?v => change (@eq R u v) end. field. exact Ha. }
-  apply (is_derive_minus (fun y => y) (fun y => / a * F h y)). apply (is_derive_id (K := R_AbsRing)). apply (is_derive_scal (F h)), DF. }
-assert (L : forall h y w, Rabs h < r -> Rabs y <= rho -> Rabs w <= rho -> Rabs (Phi h w - Phi h y) <= / 2 * Rabs (w - y)).
+  apply (is_derive_ext (fun y => y - / a * F h y)).
+  { intros t. unfold Phi. match goal with |- ?u = ?v => change (@eq R u v) end. field. exact Ha. }
+  apply (is_derive_minus (fun y => y) (fun y => / a * F h y)). apply (is_derive_id (K := R_AbsRing)).
+  apply (is_derive_scal (F h)), DF. }
+assert (L : forall h y w, Rabs h < r -> Rabs y <= rho -> Rabs w <= rho -> Rabs (Phi h w - Phi h y) <= / 2 * Rabs
+  (w - y)).
 { intros h y w Hh Hy Hw.
   destruct (MVT_gen (Phi h) y w (fun y => 1 - family_sum (derived c) (t0 + y) (b0 + h) / a)) as (xi & Hxi & E).
   - intros t _. apply DP.
@@ -211,13 +235,17 @@ assert (L : forall h y w, Rabs h < r -> Rabs y <= rho -> Rabs w <= rho -> Rabs (
     assert (Q := HD h xi Hh Hxi'). lra. }
 assert (Z : forall h, Rabs h < r -> exists y, Rabs y <= rho /\ F h y = 0).
 { intros h Hh.
-  assert (Eq : Rabs (- rho) = rho) by (rewrite Rabs_Ropp; apply Rabs_pos_eq; lra). assert (Ep : Rabs rho = rho) by (apply Rabs_pos_eq; lra).
-  assert (L1 := L h 0 rho Hh ltac:(rewrite Rabs_R0; lra) ltac:(lra)). assert (L2 := L h 0 (- rho) Hh ltac:(rewrite Rabs_R0; lra) ltac:(lra)).
+  assert (Eq : Rabs (- rho) = rho) by (rewrite Rabs_Ropp; apply Rabs_pos_eq; lra).
+  assert (Ep : Rabs rho = rho) by (apply Rabs_pos_eq; lra).
+  assert (L1 := L h 0 rho Hh ltac:(rewrite Rabs_R0; lra) ltac:(lra)).
+  assert (L2 := L h 0 (- rho) Hh ltac:(rewrite Rabs_R0; lra) ltac:(lra)).
   rewrite Rminus_0_r in L1, L2. rewrite Ep in L1. rewrite Eq in L2.
-  assert (Y := HF h Hh). apply Rabs_le_between in Y. apply Rabs_le_between in L1. apply Rabs_le_between in L2. unfold Phi in L1, L2.
+  assert (Y := HF h Hh). apply Rabs_le_between in Y. apply Rabs_le_between in L1. apply Rabs_le_between in L2.
+  unfold Phi in L1, L2.
   destruct (IVT_gen (fun y => F h y / a) (- rho) rho 0) as (y & Hy & E).
   - apply derive_continuity with (fun y => 1 - (1 - family_sum (derived c) (t0 + y) (b0 + h) / a)). intros y.
-    apply (is_derive_ext (fun y => y - Phi h y)). { intros t. unfold Phi. match goal with |- ?u = ?v => change (@eq R u v) end. ring. }
+    apply (is_derive_ext (fun y => y - Phi h y)).
+    { intros t. unfold Phi. match goal with |- ?u = ?v => change (@eq R u v) end. ring. }
     apply (is_derive_minus (fun y => y) (Phi h)). apply (is_derive_id (K := R_AbsRing)). apply DP.
   - unfold Rmin, Rmax. destruct Rle_dec; lra.
   - exists y. split.
@@ -238,7 +266,8 @@ assert (Hz : forall h y, Rabs h < r -> Rabs y <= rho -> F h y = 0 -> is_lim_seq 
     - change (x (S k) h) with (Phi h (x k h)). rewrite <- E at 1. assert (V := norm_value r _ _ h Hr (Nx k) Hh).
       eapply Rle_trans; [apply L; auto|]. simpl. lra. }
   assert (G : is_lim_seq (fun k => rho * (/ 2) ^ k) 0).
-  { replace (Finite 0) with (Rbar_mult rho 0) by (simpl; f_equal; ring). apply (is_lim_seq_scal_l _ rho 0), is_lim_seq_geom. rewrite Rabs_pos_eq; lra. }
+  { replace (Finite 0) with (Rbar_mult rho 0) by (simpl; f_equal; ring).
+    apply (is_lim_seq_scal_l _ rho 0), is_lim_seq_geom. rewrite Rabs_pos_eq; lra. }
   apply (is_lim_seq_le_le (fun k => y - rho * (/ 2) ^ k) _ (fun k => y + rho * (/ 2) ^ k)).
   - intros k. specialize (B k). apply Rabs_le_between in B. lra.
   - replace (Finite y) with (Finite (y - 0)) by (f_equal; ring). apply is_lim_seq_minus'; auto. apply is_lim_seq_const.

@@ -1,17 +1,20 @@
 (** * Taylor models on boxes: the shift of the centre
 
-    Section 4 of proofs/box.md, and with [CoefficientModels.v] its sections 3 and 4 together. The d-th derivative of Theta is the d-th derivative of its Taylor series at 0. What is left out from K on is
-    bounded by [DerivativeTail.v]; an error of a coefficient enters with the size of its term; the polynomial that is left is written in powers of
-    u, t = t0 + s u, by the binomial theorem, and the powers from I on are bounded one by one. *)
+    Section 4 of proofs/box.md, and with [CoefficientModels.v] its sections 3 and 4 together. The d-th derivative of
+    Theta is the d-th derivative of its Taylor series at 0. What is left out from K on is bounded by [DerivativeTail.v];
+    an error of a coefficient enters with the size of its term; the polynomial that is left is written in powers of u, t
+    = t0 + s u, by the binomial theorem, and the powers from I on are bounded one by one. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementModels Calculus Gronwall WellPosed EntireForm DerivativeTail CoefficientModels.
+From GSpot Require Import Statement StatementModels Calculus Gronwall WellPosed EntireForm DerivativeTail
+  CoefficientModels.
 Open Scope R_scope.
 
 (** ** Finite sums *)
 Lemma sum_ext (v w : nat -> R) n : (forall k, (k < n)%nat -> v k = w k) -> sum_first v n = sum_first w n.
-Proof. induction n as [|n IH]; intros H; simpl; auto. rewrite IH by (intros; apply H; lia). rewrite H by lia. reflexivity. Qed.
+Proof. induction n as [|n IH]; intros H; simpl; auto. rewrite IH by (intros; apply H; lia). rewrite H by lia.
+reflexivity. Qed.
 
 Lemma sum_plus (v w : nat -> R) n : sum_first (fun k => v k + w k) n = sum_first v n + sum_first w n.
 Proof. induction n as [|n IH]; simpl. ring. rewrite IH. ring. Qed.
@@ -19,7 +22,8 @@ Proof. induction n as [|n IH]; simpl. ring. rewrite IH. ring. Qed.
 Lemma sum_split (v : nat -> R) n m : sum_first v (n + m) = sum_first v n + sum_first (fun k => v (n + k)%nat) m.
 Proof. induction m as [|m IH]. rewrite Nat.add_0_r. simpl. ring. rewrite Nat.add_succ_r. simpl. rewrite IH. ring. Qed.
 
-Lemma sum_bound (v w : nat -> R) n : (forall k, (k < n)%nat -> Rabs (v k) <= w k) -> Rabs (sum_first v n) <= sum_first w n.
+Lemma sum_bound (v w : nat -> R) n : (forall k, (k < n)%nat -> Rabs (v k) <= w k) ->
+  Rabs (sum_first v n) <= sum_first w n.
 Proof.
 induction n as [|n IH]; intros H; simpl. rewrite Rabs_R0. lra.
 eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat. apply IH. intros; apply H; lia. apply H. lia.
@@ -41,7 +45,8 @@ Proof. induction n as [|n IH]; simpl; [ring|]. rewrite IH. reflexivity. Qed.
 Lemma falling_pos d i : 0 < falling d i.
 Proof. apply Rdiv_lt_0_compat; apply INR_fact_lt_0. Qed.
 
-Lemma falling_binomial d m l : (l <= m)%nat -> falling d (d + m) * Binomial.C m l = falling d (d + l) * Binomial.C (d + m) (d + l).
+Lemma falling_binomial d m l : (l <= m)%nat -> falling d (d + m) * Binomial.C m l = falling d (d + l) * Binomial.C
+  (d + m) (d + l).
 Proof.
 intros H. unfold falling, Binomial.C. replace (d + m - d)%nat with m by lia. replace (d + l - d)%nat with l by lia.
 replace (d + m - (d + l))%nat with (m - l)%nat by lia.
@@ -55,9 +60,11 @@ Lemma recentre (p : nat -> R) (t0 s u : R) d M :
     sum_first (fun j => Binomial.C (d + l + j) (d + l) * t0 ^ j * s ^ (d + l) * p (d + l + j)%nat) (M - l) * u ^ l) M.
 Proof.
 rewrite <- sum_first_factor.
-set (g := fun l j => falling d (d + l) * (Binomial.C (d + l + j) (d + l) * t0 ^ j * s ^ (d + l) * p (d + l + j)%nat) * u ^ l).
+set (g := fun l j => falling d (d + l) * (Binomial.C (d + l + j) (d + l) * t0 ^ j * s ^ (d + l) * p (d + l + j)%nat)
+  * u ^ l).
 transitivity (sum_first (fun l => sum_first (g l) (M - l)) M).
-- rewrite <- sum_triangle. apply sum_ext. intros m _. cbv beta. rewrite (Rplus_comm t0 (s * u)), Binomial.binomial, sum_f_first.
+- rewrite <- sum_triangle. apply sum_ext. intros m _. cbv beta.
+  rewrite (Rplus_comm t0 (s * u)), Binomial.binomial, sum_f_first.
   rewrite <- !sum_first_factor. apply sum_ext. intros l Hl. unfold g.
   replace (d + l + (m - l))%nat with (d + m)%nat by lia. rewrite pow_add, Rpow_mult_distr.
   assert (F := falling_binomial d m l ltac:(lia)).
@@ -65,7 +72,8 @@ transitivity (sum_first (fun l => sum_first (g l) (M - l)) M).
     with (falling d (d + m) * Binomial.C m l * (s ^ d * s ^ l * p (d + m)%nat * u ^ l * t0 ^ (m - l))) by ring.
   rewrite F. ring.
 - apply sum_ext. intros l _.
-  rewrite (Rmult_comm (falling d (d + l))), Rmult_assoc, (Rmult_comm _ (falling d (d + l) * u ^ l)), <- sum_first_factor.
+  rewrite (Rmult_comm (falling d (d + l))), Rmult_assoc, (Rmult_comm _ (falling d (d + l) * u ^ l)),
+    <- sum_first_factor.
   apply sum_ext. intros j _. unfold g. ring.
 Qed.
 
@@ -107,23 +115,28 @@ Qed.
 
 Lemma coefficient_recurrence k : (INR k + 1) * (INR k + 2) * (INR k + 3) * a (k + 3)%nat = (INR k - b) * a k.
 Proof.
-rewrite <- !coefficient. replace (k + 3)%nat with (S (S (S k))) by lia. rewrite coef_rec. assert (Hk := pos_INR k). field. lra.
+rewrite <- !coefficient. replace (k + 3)%nat with (S (S (S k))) by lia. rewrite coef_rec. assert (Hk := pos_INR k).
+field. lra.
 Qed.
 
-Lemma derivative_series d t : is_lim_seq (sum_first (fun j => falling d (d + j) * a (d + j)%nat * t ^ j)) (Derive_n theta d t).
+Lemma derivative_series d t : is_lim_seq (sum_first (fun j => falling d (d + j) * a (d + j)%nat * t ^ j))
+  (Derive_n theta d t).
 Proof.
 assert (Hr : CV_radius (PS_derive_n d (coef b (theta 0) (Derive theta 0) (Derive_n theta 2 0))) = p_infty).
 { rewrite CV_radius_derive_n. apply coef_radius. }
 rewrite (Derive_n_ext theta _ d t entire_series), Derive_n_PSeries by (rewrite coef_radius; exact I).
 assert (P := PSeries_correct _ t (CV_radius_inside _ t ltac:(rewrite Hr; exact I))).
 set (y := PSeries _ t) in *.
-assert (L : is_lim_seq (sum_n (fun k => scal (pow_n t k) (PS_derive_n d (coef b (theta 0) (Derive theta 0) (Derive_n theta 2 0)) k))) y) by exact P.
+assert (L : is_lim_seq
+  (sum_n (fun k => scal (pow_n t k) (PS_derive_n d (coef b (theta 0) (Derive theta 0) (Derive_n theta 2 0)) k))) y)
+    by exact P.
 apply is_lim_seq_incr_1. eapply is_lim_seq_ext; [|exact L]. intros n. rewrite sum_n_Reals, sum_f_first.
 apply sum_ext. intros k _. rewrite pow_n_pow. unfold PS_derive_n, falling. rewrite coefficient.
 replace (d + k - d)%nat with k by lia. rewrite (Nat.add_comm d k). unfold scal; simpl; unfold mult; simpl. ring.
 Qed.
 
-Lemma left_out (w : nat -> R) (y : R) (n : nat) V : is_lim_seq (sum_first w) y -> (forall N, sum_first (fun i => Rabs (w (n + i)%nat)) N <= V) ->
+Lemma left_out (w : nat -> R) (y : R) (n : nat) V : is_lim_seq (sum_first w) y ->
+  (forall N, sum_first (fun i => Rabs (w (n + i)%nat)) N <= V) ->
   Rabs (y - sum_first w n) <= V.
 Proof.
 intros L HV.
@@ -171,20 +184,23 @@ Qed.
 Lemma powers_inside j : Rabs ((t0 + s * u) ^ j) <= X ^ j.
 Proof. rewrite <- RPow_abs. apply pow_incr. split. apply Rabs_pos. apply inside. Qed.
 
-Lemma tail_part : Rabs (Derive_n theta d (t0 + s * u) - sum_first (fun j => falling d (d + j) * a (d + j)%nat * (t0 + s * u) ^ j) (K - d)) <= V.
+Lemma tail_part : Rabs (Derive_n theta d (t0 + s * u) - sum_first (fun j =>
+  falling d (d + j) * a (d + j)%nat * (t0 + s * u) ^ j) (K - d)) <= V.
 Proof.
 apply left_out. apply derivative_series. intros N.
 assert (Eq : INR K + B = y + INR d + B) by (unfold y; rewrite minus_INR by auto; ring).
 assert (T := derivative_tail b X B a d X_pos HB Hb coefficient_recurrence K N HdK).
 unfold tail_factor in T. fold y in T. rewrite <- Eq in T. fold q in T. specialize (T Hq).
 eapply Rle_trans; [|eapply Rle_trans; [exact T|]].
-- apply sum_first_le. intros k. change (derivative_term X a d (K + k)) with (falling d (K + k) * Rabs (a (K + k)%nat) * X ^ (K + k - d)).
+- apply sum_first_le. intros k.
+  change (derivative_term X a d (K + k)) with (falling d (K + k) * Rabs (a (K + k)%nat) * X ^ (K + k - d)).
   replace (d + (K - d + k))%nat with (K + k)%nat by lia. replace (K - d + k)%nat with (K + k - d)%nat by lia.
   assert (F := falling_pos d (K + k)). rewrite !Rabs_mult, (Rabs_pos_eq (falling d (K + k))) by lra.
   apply Rmult_le_compat_l; [|apply powers_inside]. apply Rmult_le_pos; [lra|apply Rabs_pos].
 - unfold V, Rdiv. apply Rmult_le_compat_r. apply Rlt_le, Rinv_0_lt_compat; lra.
   assert (P : forall k, (K <= k < K + 3)%nat -> derivative_term X a d k <= v k).
-  { intros k Hk. change (derivative_term X a d k) with (falling d k * Rabs (a k) * X ^ (k - d)). unfold v. apply Rmult_le_compat_r. apply pow_le, X_pos.
+  { intros k Hk. change (derivative_term X a d k) with (falling d k * Rabs (a k) * X ^ (k - d)). unfold v.
+    apply Rmult_le_compat_r. apply pow_le, X_pos.
     apply Rmult_le_compat_l. apply Rlt_le, (falling_pos d k). apply HS, Hk. }
   assert (P0 := P K ltac:(lia)). assert (P1 := P (K + 1)%nat ltac:(lia)). assert (P2 := P (K + 2)%nat ltac:(lia)). lra.
 Qed.
@@ -207,7 +223,8 @@ Lemma part_bound i : Rabs (part t0 p i) <= part (Rabs t0) S i.
 Proof.
 unfold part, shifted. apply sum_bound. intros j Hj.
 assert (HC : 0 <= Binomial.C (i + j) i).
-{ unfold Binomial.C. apply Rlt_le, Rdiv_lt_0_compat. apply INR_fact_lt_0. apply Rmult_lt_0_compat; apply INR_fact_lt_0. }
+{ unfold Binomial.C. apply Rlt_le, Rdiv_lt_0_compat. apply INR_fact_lt_0.
+  apply Rmult_lt_0_compat; apply INR_fact_lt_0. }
 rewrite !Rabs_mult, (Rabs_pos_eq (Binomial.C (i + j) i)) by exact HC.
 rewrite (Rabs_pos_eq (s ^ i)) by (apply pow_le, Hs). rewrite <- RPow_abs.
 apply Rmult_le_compat_l. apply Rmult_le_pos; [apply Rmult_le_pos; [exact HC|apply pow_le, Rabs_pos]|apply pow_le, Hs].
@@ -228,7 +245,8 @@ rewrite (sum_ext _ (fun l => falling d (d + l) * part t0 p (d + l) * u ^ l)).
 destruct (le_lt_dec I K) as [HI|HI].
 - replace (K - d)%nat with (I - d + (K - I))%nat by lia. rewrite sum_split.
   match goal with |- ?x + ?z - ?x = _ => replace (x + z - x) with z by ring end.
-  apply sum_ext. intros k _. replace (d + (I - d + k))%nat with (I + k)%nat by lia. replace (I - d + k)%nat with (I + k - d)%nat by lia. reflexivity.
+  apply sum_ext. intros k _. replace (d + (I - d + k))%nat with (I + k)%nat by lia.
+  replace (I - d + k)%nat with (I + k - d)%nat by lia. reflexivity.
 - replace (K - I)%nat with 0%nat by lia. replace (I - d)%nat with (K - d + (I - K))%nat by lia. rewrite sum_split.
   rewrite (sum_ext (fun k => falling d (d + (K - d + k)) * part t0 p (d + (K - d + k)) * u ^ (K - d + k)) (fun _ => 0)).
   2: { intros k _. rewrite part_empty by lia. ring. }
@@ -262,7 +280,8 @@ intros difference.
 set (P := sum_first (fun j => falling d (d + j) * p (d + j)%nat * (t0 + s * u) ^ j) (K - d)).
 set (A := sum_first (fun j => falling d (d + j) * a (d + j)%nat * (t0 + s * u) ^ j) (K - d)).
 set (Z := sum_first (fun l => falling d (I + l) * part t0 p (I + l) * u ^ (I + l - d)) (K - I)).
-assert (T := tail_part). fold A in T. assert (Er := error_part). fold A P in Er. assert (Kp := kept_powers). fold P Z in Kp.
+assert (T := tail_part). fold A in T. assert (Er := error_part). fold A P in Er. assert (Kp := kept_powers).
+fold P Z in Kp.
 assert (D : difference = Z + s ^ d * ((A - P) + (Derive_n theta d (t0 + s * u) - A))).
 { unfold difference. rewrite <- Kp. ring. }
 assert (R : Rabs (s ^ d * ((A - P) + (Derive_n theta d (t0 + s * u) - A))) <= s ^ d * (E + V)).
@@ -280,7 +299,8 @@ Theorem box_remainder b theta t0 s B (p e S : nat -> R) (d I K : nat) u : is_The
   (forall k, (k < K)%nat -> Rabs (a k - p k) <= e k /\ Rabs (p k) <= S k) ->
   (forall k, (K <= k < K + 3)%nat -> Rabs (a k) <= S k) ->
   box_estimate B t0 s p e S d I K u (Derive_n theta d (t0 + s * u)).
-Proof. intros H Hs HB Hb HdI HdK Hu a Hp HS Hq. exact (remainder b theta H t0 s B p e S d I K u Hs HB Hb HdI HdK Hu Hp HS Hq). Qed.
+Proof. intros H Hs HB Hb HdI HdK Hu a Hp HS Hq.
+exact (remainder b theta H t0 s B p e S d I K u Hs HB Hb HdI HdK Hu Hp HS Hq). Qed.
 
 Theorem box_model b0 r (Theta : R -> R -> R) (model : nat -> list R * R) t0 s B (d I K : nat) u eta :
   (forall eta, is_Theta_entire (b0 + r * eta) (Theta eta)) ->
@@ -304,6 +324,7 @@ apply (box_remainder (b0 + r * eta)); auto.
 - intros k _. destruct (G k) as (A & P & E). split; [exact A|lra].
 - intros k _. destruct (G k) as (A & P & E).
   replace (Derive_n (Theta eta) k 0 / INR (fact k))
-    with (polynomial (fst (model k)) eta + (Derive_n (Theta eta) k 0 / INR (fact k) - polynomial (fst (model k)) eta)) by ring.
+    with (polynomial (fst (model k)) eta + (Derive_n (Theta eta) k 0 / INR (fact k) - polynomial (fst (model k)) eta))
+      by ring.
   eapply Rle_trans; [apply Rabs_triang|]. lra.
 Qed.

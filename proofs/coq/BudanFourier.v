@@ -1,9 +1,10 @@
 (** * The theorem of Budan and Fourier
 
-    f has N derivatives on [T, T'] and the N-th has one sign. V(t) is the number of changes of sign in f(t), f'(t), ..., f^(N)(t), zeros left out.
-    Near a point c all derivatives are nonzero. On the right of c each has the sign of the next one that is not 0 at c, so V does not change; on the left
-    one that vanishes at c has the sign opposite to that of its derivative, so V is greater there by the order of f at c and an even number.
-    Both go down from the N-th derivative. Going from T to T' the zeros are collected, by induction along the line. *)
+    f has N derivatives on [T, T'] and the N-th has one sign. V(t) is the number of changes of sign in f(t), f'(t), ...,
+    f^(N)(t), zeros left out. Near a point c all derivatives are nonzero. On the right of c each has the sign of the
+    next one that is not 0 at c, so V does not change; on the left one that vanishes at c has the sign opposite to that
+    of its derivative, so V is greater there by the order of f at c and an even number. Both go down from the N-th
+    derivative. Going from T to T' the zeros are collected, by induction along the line. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -66,10 +67,12 @@ destruct L as [d Hd]. exists d. split. apply cond_pos.
 intros t Ht. apply Hd. unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl. apply Rabs_def1; lra.
 Qed.
 
-Lemma mean_value k x y : (k < N)%nat -> T <= x -> x < y -> y <= T' -> exists z, x < z < y /\ g k y - g k x = g (S k) z * (y - x).
+Lemma mean_value k x y : (k < N)%nat -> T <= x -> x < y -> y <= T' -> exists z, x < z < y /\
+  g k y - g k x = g (S k) z * (y - x).
 Proof. intros Hk Hx Hxy Hy. apply (mvt_open (g k) (g (S k)) x y Hxy). intros t Ht. apply D; auto; lra. Qed.
 
-Lemma right_of c : T <= c <= T' -> forall j k, (k + j = N)%nat -> exists d, 0 < d /\ forall t, c < t < c + d -> t <= T' ->
+Lemma right_of c : T <= c <= T' -> forall j k, (k + j = N)%nat -> exists d, 0 < d /\ forall t, c < t < c + d ->
+  t <= T' ->
   0 < g k t * first_nonzero (from k j c) /\ variations (from k j t) = variations (from k j c).
 Proof.
 intros Hc. induction j as [|j IH]; intros k Hk.
@@ -86,7 +89,8 @@ intros Hc. induction j as [|j IH]; intros k Hk.
     rewrite E, first_zero, variations_zero, from_S.
     assert (Q : 0 < g k t * first_nonzero (from (S k) j c)).
     { replace (g k t) with (g (S k) z * (t - c)) by lra.
-      replace (g (S k) z * (t - c) * first_nonzero (from (S k) j c)) with (g (S k) z * first_nonzero (from (S k) j c) * (t - c)) by ring.
+      replace (g (S k) z * (t - c) * first_nonzero (from (S k) j c)) with (g (S k) z * first_nonzero (from (S k) j c)
+        * (t - c)) by ring.
       apply Rmult_lt_0_compat; lra. }
     split; auto. rewrite variations_same; auto.
     rewrite first_from by (apply (factors_nonzero _ _ P)). apply Rlt_le.
@@ -107,9 +111,11 @@ intros Hc. induction j as [|j IH]; intros k Hk.
 Qed.
 
 (** m zeros stand first in g_k(c), ..., g_(k+j)(c) *)
-Definition order_from (k : nat) (c : R) (m : nat) : Prop := (forall i, (i < m)%nat -> g (k + i) c = 0) /\ g (k + m) c <> 0.
+Definition order_from (k : nat) (c : R) (m : nat) : Prop := (forall i, (i < m)%nat -> g (k + i) c = 0) /\
+  g (k + m) c <> 0.
 
-Lemma left_of c : T <= c <= T' -> forall j k, (k + j = N)%nat -> exists m d, (m <= j)%nat /\ order_from k c m /\ 0 < d /\
+Lemma left_of c : T <= c <= T' -> forall j k, (k + j = N)%nat -> exists m d, (m <= j)%nat /\ order_from k c m /\
+  0 < d /\
   forall t, c - d < t < c -> T <= t -> 0 < (-1) ^ m * (g k t * first_nonzero (from k j c)) /\
     exists i, variations (from k j t) = (variations (from k j c) + m + 2 * i)%nat.
 Proof.
@@ -159,9 +165,11 @@ intros Hc. induction j as [|j IH]; intros k Hk.
          destruct (Rle_lt_or_eq_dec _ _ L) as [L'|L']; auto. symmetry in L'. apply Rmult_integral in L'. tauto.
     * rewrite Nat.add_1_r, pow_1_odd in P.
       destruct (Rlt_le_dec (g k c * F) 0) as [L|L].
-      -- exists (h + i)%nat. rewrite (variations_more (g k c)), (variations_same (g k t)); fold F; auto. lia. rewrite first_from by auto. apply Rlt_le.
+      -- exists (h + i)%nat. rewrite (variations_more (g k c)), (variations_same (g k t)); fold F; auto. lia.
+         rewrite first_from by auto. apply Rlt_le.
          apply same_sign with (g k c); auto. apply same_sign with (- F); lra.
-      -- exists (h + i + 1)%nat. rewrite (variations_same (g k c)), (variations_more (g k t)); fold F; auto. lia. rewrite first_from by auto.
+      -- exists (h + i + 1)%nat. rewrite (variations_same (g k c)), (variations_more (g k t)); fold F; auto. lia.
+         rewrite first_from by auto.
          assert (0 < g k t * - g (S k) t); [|lra].
          apply same_sign with (g k c); auto. apply same_sign with F; try lra.
          destruct (Rle_lt_or_eq_dec _ _ L) as [L'|L']; try lra. symmetry in L'. apply Rmult_integral in L'. tauto.
@@ -174,7 +182,8 @@ Definition collected (t : R) : Prop := exists l i, StronglySorted Rle l /\ (fora
   (forall z, T < z <= t -> order_from 0 z (count_occ Req_EM_T l z)) /\
   variations (from 0 N T) = (variations (from 0 N t) + length l + 2 * i)%nat.
 
-Lemma sorted_app (l1 l2 : list R) : StronglySorted Rle l1 -> StronglySorted Rle l2 -> (forall x y, In x l1 -> In y l2 -> x <= y) ->
+Lemma sorted_app (l1 l2 : list R) : StronglySorted Rle l1 -> StronglySorted Rle l2 -> (forall x y, In x l1 -> In y l2 ->
+  x <= y) ->
   StronglySorted Rle (l1 ++ l2).
 Proof.
 induction l1 as [|x l1 IH]; intros H1 H2 H; simpl; auto.
@@ -231,7 +240,8 @@ Qed.
 End Near.
 
 Theorem budan_fourier (f : R -> R) (n : nat) s T T' : T <= T' ->
-  (forall k t, (k <= n)%nat -> T <= t <= T' -> ex_derive_n f k t) -> (forall t, T <= t <= T' -> 0 < s * Derive_n f n t) ->
+  (forall k t, (k <= n)%nat -> T <= t <= T' -> ex_derive_n f k t) ->
+    (forall t, T <= t <= T' -> 0 < s * Derive_n f n t) ->
   exists l j, zeros_with_multiplicity f (fun t => T < t <= T') l /\
     variations (derivatives f n T) = (variations (derivatives f n T') + length l + 2 * j)%nat.
 Proof.

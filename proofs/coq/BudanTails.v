@@ -1,13 +1,15 @@
 (** * The number of zeros on a half-line, with multiplicity
 
-    The theorem of Budan and Fourier for Theta and for the slow solution at every eps: f^(n+1) has one sign on the line, at the far right
-    f, ..., f^(n+1) have one sign (V = 0), at the far left they alternate (V = n + 1). Hence the zeros beyond T are V(T) less an even number, and those
-    up to T are n + 1 - V(T) less an even number. The list of zeros with multiplicity is unique and holds every zero; so V = 0 means no zero,
-    V = 1 exactly one, a simple one, and there are at most V different zeros. *)
+    The theorem of Budan and Fourier for Theta and for the slow solution at every eps: f^(n+1) has one sign on the line,
+    at the far right f, ..., f^(n+1) have one sign (V = 0), at the far left they alternate (V = n + 1). Hence the zeros
+    beyond T are V(T) less an even number, and those up to T are n + 1 - V(T) less an even number. The list of zeros
+    with multiplicity is unique and holds every zero; so V = 0 means no zero, V = 1 exactly one, a simple one, and there
+    are at most V different zeros. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus GammaFunction LaplaceIntegral WellPosed EnvelopingSeries Family IntegerPolynomials Ends
+From GSpot Require Import Statement Calculus GammaFunction LaplaceIntegral WellPosed EnvelopingSeries Family
+  IntegerPolynomials Ends
   CompliantKernel CompliantIntegral CompliantSlow BudanFourier.
 Import ListNotations.
 Open Scope R_scope.
@@ -51,14 +53,16 @@ Lemma zeros_listed f place l : zeros_with_multiplicity f place l -> forall z, In
 Proof.
 intros (S & I & O) z. split.
 - intros H. split. exact (I z H). destruct (O z (I z H)) as [A _]. apply (A 0%nat). apply count_occ_In, H.
-- intros [P E]. destruct (O z P) as [_ B]. apply (count_occ_In Req_EM_T). destruct (count_occ Req_EM_T l z) as [|m]; [contradiction|lia].
+- intros [P E]. destruct (O z P) as [_ B]. apply (count_occ_In Req_EM_T).
+  destruct (count_occ Req_EM_T l z) as [|m]; [contradiction|lia].
 Qed.
 
 Theorem distinct_zeros f place l zeros : zeros_with_multiplicity f place l -> StronglySorted Rlt zeros ->
   (forall z, In z zeros -> place z /\ f z = 0) -> (length zeros <= length l)%nat.
 Proof.
 intros H S Z. apply NoDup_incl_length.
-- clear Z. induction S as [|x r S IH F]; constructor; auto. intros Hx. rewrite Forall_forall in F. specialize (F x Hx). lra.
+- clear Z. induction S as [|x r S IH F]; constructor; auto. intros Hx. rewrite Forall_forall in F. specialize (F x Hx).
+  lra.
 - intros z Hz. apply (zeros_listed f place l H), Z, Hz.
 Qed.
 
@@ -72,7 +76,8 @@ Lemma simple_zeros f place l zeros : zeros_with_multiplicity f place l -> Strong
 Proof.
 intros H S Z Hs. assert (L := zeros_listed f place l H). destruct H as (S' & I & O).
 apply sorted_by_count; auto.
-- clear Z Hs. induction S as [|x r S IH F]; constructor; auto. rewrite Forall_forall in *. intros y Hy. specialize (F y Hy). lra.
+- clear Z Hs. induction S as [|x r S IH F]; constructor; auto. rewrite Forall_forall in *. intros y Hy.
+  specialize (F y Hy). lra.
 - intros z. destruct (in_dec Req_EM_T z zeros) as [Hz|Hz].
   + destruct (proj1 (Z z) Hz) as [P E]. rewrite (zero_count_one f z _ E (Hs z Hz) (O z P)).
     symmetry. apply NoDup_count_occ'; auto. clear - S.
@@ -99,7 +104,8 @@ Proof. intros H z P E. exact (proj2 (zeros_listed f place [] H z) (conj P E)). Q
 Lemma one_zero f place z : zeros_with_multiplicity f place [z] ->
   place z /\ f z = 0 /\ Derive f z <> 0 /\ forall t, place t -> f t = 0 -> t = z.
 Proof.
-intros H. destruct (proj1 (zeros_listed f place [z] H z) (or_introl eq_refl)) as [P E]. refine (conj P (conj E (conj _ _))).
+intros H. destruct (proj1 (zeros_listed f place [z] H z) (or_introl eq_refl)) as [P E].
+refine (conj P (conj E (conj _ _))).
 - destruct H as (_ & _ & O). specialize (O z P). simpl in O. destruct (Req_EM_T z z); [|contradiction]. apply O.
 - intros t Pt Et. destruct (proj2 (zeros_listed f place [z] H t) (conj Pt Et)) as [<-|[]]. reflexivity.
 Qed.
@@ -132,7 +138,8 @@ rewrite variations_same; auto. destruct l as [|x l]; [simpl; lra|].
 assert (X := H x (or_intror (or_introl eq_refl))). rewrite first_cons by lra. nra.
 Qed.
 
-Lemma variations_alternating s (g : nat -> R) : forall n k, (forall i, (k <= i <= k + n)%nat -> 0 < s * ((-1) ^ i * g i)) ->
+Lemma variations_alternating s (g : nat -> R) : forall n k, (forall i, (k <= i <= k + n)%nat ->
+  0 < s * ((-1) ^ i * g i)) ->
   variations (map g (seq k (S n))) = n.
 Proof.
 induction n as [|n IH]; intros k H.
@@ -175,7 +182,8 @@ destruct (collected_at (fun k t => c * Derive_n f k t) N T T' 1) with (t := T') 
 Qed.
 
 Lemma far (P : nat -> R -> Prop) (before : R -> R -> Prop) : (forall x y z, before x y -> before y z -> before x z) ->
-  (forall x y, exists z, before x z /\ before y z) -> forall n, (forall k, (k <= n)%nat -> exists X, forall t, before X t -> P k t) ->
+  (forall x y, exists z, before x z /\ before y z) -> forall n, (forall k, (k <= n)%nat -> exists X, forall t,
+    before X t -> P k t) ->
   exists X, forall k t, (k <= n)%nat -> before X t -> P k t.
 Proof.
 intros Tr Up. induction n as [|n IH]; intros H.
@@ -187,7 +195,8 @@ intros Tr Up. induction n as [|n IH]; intros H.
   + apply HX. lia. exact (Tr _ _ _ HXZ Ht).
 Qed.
 
-Theorem zeros_beyond T : exists l j, zeros_with_multiplicity f (fun t => T < t) l /\ tail_variations T = (length l + 2 * j)%nat.
+Theorem zeros_beyond T : exists l j, zeros_with_multiplicity f (fun t => T < t) l /\
+  tail_variations T = (length l + 2 * j)%nat.
 Proof.
 destruct (far (fun k t => 0 < c * Derive_n f k t) Rle Rle_trans) with (n := N) as [X HX].
 { intros x y. exists (Rmax x y). split; [apply Rmax_l|apply Rmax_r]. }
@@ -203,7 +212,8 @@ destruct (between T T' M1) as (l & j & Z & V). exists l, j. split.
   apply in_map_iff in Hx. destruct Hx as (k & <- & Hk). apply in_seq in Hk. apply HX; auto. lia.
 Qed.
 
-Theorem zeros_up_to T : exists l j, zeros_with_multiplicity f (fun t => t <= T) l /\ N = (tail_variations T + length l + 2 * j)%nat.
+Theorem zeros_up_to T : exists l j, zeros_with_multiplicity f (fun t => t <= T) l /\
+  N = (tail_variations T + length l + 2 * j)%nat.
 Proof.
 destruct (far (fun k t => 0 < (-1) ^ k * Derive_n f k t) Rge Rge_trans) with (n := N) as [X HX].
 { intros x y. exists (Rmin x y). split; apply Rle_ge; [apply Rmin_l|apply Rmin_r]. }
@@ -240,7 +250,8 @@ Qed.
 
 Lemma family_left b : not_nat b -> exists X, forall t, t <= X -> 0 < F b t.
 Proof.
-intros Hb. assert (H := HL b Hb). apply is_lim_spec in H. destruct (H (mkposreal (1 / 2) ltac:(lra))) as [M HM]. simpl in HM.
+intros Hb. assert (H := HL b Hb). apply is_lim_spec in H. destruct (H (mkposreal (1 / 2) ltac:(lra))) as [M HM].
+simpl in HM.
 exists (- (M + 1)). intros t Ht. specialize (HM (- t) ltac:(lra)). rewrite Ropp_involutive in HM.
 assert (HR : 0 < Rpower (- t) b) by apply exp_pos. apply Rabs_def2 in HM.
 replace (F b t) with (F b t / Rpower (- t) b * Rpower (- t) b) by (field; lra).
@@ -254,7 +265,8 @@ replace ((-1) ^ S k * rising (- b) (S k)) with ((-1) ^ k * rising (- b) k * (b -
 apply Rmult_lt_0_compat; lra.
 Qed.
 
-Lemma family_alternates b k : not_nat b -> INR k < b + 1 -> exists X, forall t, t <= X -> 0 < (-1) ^ k * Derive_n (F b) k t.
+Lemma family_alternates b k : not_nat b -> INR k < b + 1 -> exists X, forall t, t <= X ->
+  0 < (-1) ^ k * Derive_n (F b) k t.
 Proof.
 intros Hb Hk. destruct (family_left (b - INR k) (not_nat_sub b k Hb)) as [X HX]. exists X. intros t Ht.
 rewrite family_derive_n by auto. rewrite <- Rmult_assoc. apply Rmult_lt_0_compat; auto. apply rising_alternates, Hk.
@@ -277,13 +289,15 @@ intros Hbn H v. rewrite Nat.add_1_r. assert (Hb := interval_not_nat n b Hbn).
 assert (D : forall k t, ex_derive_n theta k t).
 { intros [|k] t; [exact I|]. exists (/ Gamma (- b) * scaled b theta (S k) t).
   apply (is_derive_ext (fun t => / Gamma (- b) * scaled b theta k t)).
-  - intros u. change (/ Gamma (- b) * (Gamma (- b) * Derive_n theta k u) = Derive_n theta k u). field. apply not_nat_Gamma, Hb.
+  - intros u. change (/ Gamma (- b) * (Gamma (- b) * Derive_n theta k u) = Derive_n theta k u). field.
+    apply not_nat_Gamma, Hb.
   - apply (is_derive_scal (scaled b theta k)), scaled_derive; auto. }
 assert (Htop : forall t, 0 < Gamma (- b) * Derive_n theta (S n) t).
 { intros t. apply (Theta_sign b theta (S n) Hb); auto. rewrite S_INR. lra. }
 split.
 - apply (zeros_beyond theta (Gamma (- b)) (S n) D Htop).
-  intros k. destruct (scaled_right b theta Hb H k 1) as [X HX]. exists X. intros t Ht. specialize (HX t Ht). unfold scaled in HX. lra.
+  intros k. destruct (scaled_right b theta Hb H k 1) as [X HX]. exists X. intros t Ht. specialize (HX t Ht).
+  unfold scaled in HX. lra.
 - apply (zeros_up_to theta (Gamma (- b)) (S n) D Htop).
   intros k Hk. destruct (family_alternates Th) with (b := b) (k := k) as [X HX]; auto.
   + exact Th_derive.

@@ -1,12 +1,14 @@
 (** * Theta(., b) on closed cells of b, the integers included
 
-    What the pieces of a certificate rest on: F b = Theta(., b) for every real b, that is P_n at b = n. Its slope, its sign for b <= 0 and
-    at t = 0, its highest derivative; F is continuous in b. A function of b that increases with a piecewise constant weight
-    e^(wb) on finitely many intervals stays positive from a value >= 0 on (proofs/check.md, section 4). *)
+    What the pieces of a certificate rest on: F b = Theta(., b) for every real b, that is P_n at b = n. Its slope, its
+    sign for b <= 0 and at t = 0, its highest derivative; F is continuous in b. A function of b that increases with a
+    piecewise constant weight e^(wb) on finitely many intervals stays positive from a value >= 0 on (proofs/check.md,
+    section 4). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Classical.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCertificate Calculus LaplaceIntegral WellPosed Family SignsAtZero IntegerPolynomials PolynomialSum Ends
+From GSpot Require Import Statement StatementCertificate Calculus LaplaceIntegral WellPosed Family SignsAtZero
+  IntegerPolynomials PolynomialSum Ends
   ContinuityInBeta EntireForm DifferentiableInBeta.
 From GSpot Require Import CertificateWalk.
 Import ListNotations.
@@ -24,7 +26,8 @@ Proof.
 induction k as [|k IH]; intros t Hk.
 - simpl. rewrite Nat.sub_0_r. field. apply INR_fact_neq_0.
 - change (Derive_n (Pn m) (S k) t) with (Derive (Derive_n (Pn m) k) t).
-  rewrite (Derive_ext _ (fun t => (-1) ^ k * (INR (fact m) / INR (fact (m - k))) * Pn (m - k) t)) by (intros; apply IH; lia).
+  rewrite (Derive_ext _ (fun t => (-1) ^ k * (INR (fact m) / INR (fact (m - k))) * Pn (m - k) t))
+    by (intros; apply IH; lia).
   rewrite Derive_scal, Pn_Derive. unfold Pn1.
   replace (m - S k)%nat with (m - k - 1)%nat by lia. replace (m - k)%nat with (S (m - k - 1)) by lia.
   replace (S (m - k - 1) - 1)%nat with (m - k - 1)%nat by lia.
@@ -73,7 +76,8 @@ Proof.
 destruct (nat_or_not b) as [[n ->]|Hb].
 - rewrite (Derive_ext _ (Pn n)) by apply family_Pn. rewrite Pn_Derive. unfold Pn1. destruct n as [|n].
   + simpl. ring.
-  + replace (INR (S n) - 1) with (INR n) by (rewrite S_INR; ring). rewrite family_Pn. simpl Nat.sub. rewrite Nat.sub_0_r. reflexivity.
+  + replace (INR (S n) - 1) with (INR n) by (rewrite S_INR; ring). rewrite family_Pn. simpl Nat.sub.
+    rewrite Nat.sub_0_r. reflexivity.
 - apply (Theta_derive b); auto using family_theta. apply family_theta, not_nat_pred, Hb.
 Qed.
 
@@ -99,11 +103,13 @@ intros Hm Hb s.
 assert (E3 : (m mod 3 = ((m - 1) mod 3 + 1) mod 3)%nat).
 { rewrite Nat.add_mod_idemp_l by lia. f_equal. lia. }
 assert (L := Nat.mod_upper_bound (m - 1) 3 ltac:(lia)).
-assert (At : forall n, (n = m \/ n = m - 1)%nat -> 0 <= signed s (F (INR n) 0) /\ ((n mod 3 = 0)%nat -> 0 < signed s (F (INR n) 0))).
+assert (At : forall n, (n = m \/ n = m - 1)%nat -> 0 <= signed s (F (INR n) 0) /\
+  ((n mod 3 = 0)%nat -> 0 < signed s (F (INR n) 0))).
 { intros n Hn. rewrite family_Pn. assert (P := Pn_0 n). assert (L' := Nat.mod_upper_bound n 3 ltac:(lia)).
   unfold s. destruct Hn as [->| ->].
   - destruct (m mod 3)%nat as [|[|[|k]]] eqn:E; try lia; simpl; split; try intros; try lra; try discriminate.
-  - rewrite E3. destruct ((m - 1) mod 3)%nat as [|[|[|k]]] eqn:E; try lia; simpl; split; try intros; try lra; try discriminate. }
+  - rewrite E3. destruct ((m - 1) mod 3)%nat as [|[|[|k]]] eqn:E; try lia; simpl; split; try intros; try lra;
+      try discriminate. }
 destruct (Rle_lt_or_eq_dec _ _ (proj1 Hb)) as [Hlo|Hlo].
 - destruct (Rle_lt_or_eq_dec _ _ (proj2 Hb)) as [Hhi| ->].
   + assert (C : cell m b) by (split; lra).
@@ -143,7 +149,8 @@ Proof.
 intros Hxy D C.
 assert (pr : forall c, x < c < y -> derivable_pt f c).
 { intros c Hc. exists (df c). apply is_derive_Reals, D, Hc. }
-destruct (MVT f id x y pr (fun c _ => derivable_pt_id c) Hxy C (fun c _ => derivable_continuous_pt _ _ (derivable_pt_id c)))
+destruct (MVT f id x y pr (fun c _ => derivable_pt_id c) Hxy C (fun c _ =>
+  derivable_continuous_pt _ _ (derivable_pt_id c)))
   as (c & P & E).
 exists c. split; [exact P|].
 rewrite derive_pt_id in E. unfold id in E.
@@ -206,10 +213,12 @@ assert (Near : forall x e, (e = 1 /\ lo <= x < hi) \/ (e = -1 /\ lo < x <= hi) -
     + apply (HQ a (x + 1 * u) _ (x + 1 * z)); auto. lra.
     + apply (HQ a (x + -1 * z) _ (x + -1 * u)); auto. lra.
   - intros d Hd. destruct He as [[-> Hx]|[-> Hx]].
-    + set (u := Rmin (d / 2) (hi - x)). assert (U1 := Rmin_l (d / 2) (hi - x)). assert (U2 := Rmin_r (d / 2) (hi - x)). fold u in U1, U2.
+    + set (u := Rmin (d / 2) (hi - x)). assert (U1 := Rmin_l (d / 2) (hi - x)). assert (U2 := Rmin_r (d / 2) (hi - x)).
+      fold u in U1, U2.
       assert (U0 : 0 < u) by (apply Rmin_glb_lt; lra).
       destruct (Hcover (x + 1 * u) ltac:(lra)) as (a & I & Qa). exists u, a. repeat split; auto; lra.
-    + set (u := Rmin (d / 2) (x - lo)). assert (U1 := Rmin_l (d / 2) (x - lo)). assert (U2 := Rmin_r (d / 2) (x - lo)). fold u in U1, U2.
+    + set (u := Rmin (d / 2) (x - lo)). assert (U1 := Rmin_l (d / 2) (x - lo)). assert (U2 := Rmin_r (d / 2) (x - lo)).
+      fold u in U1, U2.
       assert (U0 : 0 < u) by (apply Rmin_glb_lt; lra).
       destruct (Hcover (x + -1 * u) ltac:(lra)) as (a & I & Qa). exists u, a. repeat split; auto; lra. }
 enough (H : b <= hi -> lo < b -> 0 < g b) by (apply H; lra).

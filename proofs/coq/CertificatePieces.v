@@ -1,11 +1,13 @@
 (** * What each piece of a certificate gives
 
-    proofs/certificate.md, the table of pieces and the statements. From what is checked of a piece on a column follows, at each b of the
-    column, the sign of Theta(., b) or the number of its zeros on the piece; the walk ([CertificateWalk.v]) puts them together. *)
+    proofs/certificate.md, the table of pieces and the statements. From what is checked of a piece on a column follows,
+    at each b of the column, the sign of Theta(., b) or the number of its zeros on the piece; the walk
+    ([CertificateWalk.v]) puts them together. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCertificate Calculus LaplaceIntegral WellPosed Family SignsAtZero IntegerPolynomials PolynomialSum Ends
+From GSpot Require Import Statement StatementCertificate Calculus LaplaceIntegral WellPosed Family SignsAtZero
+  IntegerPolynomials PolynomialSum Ends
   FoldAndHinge ZeroCurves EnvelopingLow CertificateWalk CertificateFamily.
 Import ListNotations.
 Open Scope R_scope.
@@ -70,7 +72,8 @@ assert (A : forall j k, (k + j = N)%nat -> forall t, T <= t -> 0 < g k t).
   - assert (H0 := H k ltac:(lia)). destruct (Rle_lt_or_eq_dec _ _ Ht) as [L|<-]; [|exact H0].
     destruct (mvt_open (g k) (g (S k)) T t L) as (c & Hc & E).
     + intros s _. apply D. lia.
-    + assert (P := IH (S k) ltac:(lia) c ltac:(lra)). assert (0 < g (S k) c * (t - T)) by (apply Rmult_lt_0_compat; lra). lra. }
+    + assert (P := IH (S k) ltac:(lia) c ltac:(lra)).
+      assert (0 < g (S k) c * (t - T)) by (apply Rmult_lt_0_compat; lra). lra. }
 intros t Ht. apply (A N 0%nat); auto.
 Qed.
 
@@ -111,7 +114,8 @@ destruct (Rle_lt_or_eq_dec _ _ A) as [A'|E]; auto. destruct (Rle_lt_or_eq_dec _ 
 - left. rewrite minus_INR by lia. simpl. lra.
 Qed.
 
-Lemma low_finite b x : in_column c b -> Rbar_le (Finite x) (column_low c) -> column_low c = Finite (real (column_low c)).
+Lemma low_finite b x : in_column c b -> Rbar_le (Finite x) (column_low c) ->
+  column_low c = Finite (real (column_low c)).
 Proof. intros [H _] H0. destruct (column_low c); simpl in *; auto; contradiction. Qed.
 
 (** ** [left] *)
@@ -134,9 +138,11 @@ destruct (Nat.eq_dec m 0) as [Em|Em].
 Qed.
 
 (** ** [right] *)
-Lemma right_first T v : piece_checked F c (right_piece T v) -> exists s signs, length signs = (m - 1)%nat /\ (1 <= m)%nat /\ (v <= 1)%nat /\
+Lemma right_first T v : piece_checked F c (right_piece T v) -> exists s signs, length signs = (m - 1)%nat /\
+  (1 <= m)%nat /\ (v <= 1)%nat /\
   s = Nat.even (m + v) /\ changes s (signs ++ [Some (Nat.even m)]) = Some v /\
-  forall k s' b, (k < m)%nat -> nth k (Some s :: signs) None = Some s' -> in_column c b -> 0 < signed s' (Derive_n (F b) k T).
+  forall k s' b, (k < m)%nat -> nth k (Some s :: signs) None = Some s' -> in_column c b ->
+    0 < signed s' (Derive_n (F b) k T).
 Proof.
 intros (_ & Hm & Hv & s & signs & L & C & H0 & Hk). fold m in Hm, L, C. exists s, signs. repeat split; auto.
 - destruct v as [|[|v]]; [| |lia].
@@ -147,7 +153,8 @@ intros (_ & Hm & Hv & s & signs & L & C & H0 & Hk). fold m in Hm, L, C. exists s
   + apply Hk; auto.
 Qed.
 
-Lemma right_none T b t : piece_checked F c (right_piece T 0) -> in_column c b -> T <= t -> 0 < signed (Nat.even m) (F b t).
+Lemma right_none T b t : piece_checked F c (right_piece T 0) -> in_column c b -> T <= t ->
+  0 < signed (Nat.even m) (F b t).
 Proof.
 intros H Hb Ht. destruct (right_first T 0 H) as (s & signs & L & Hm & _ & -> & C & Hs).
 rewrite Nat.add_0_r in *. destruct (changes_none _ _ _ C) as [_ A].
@@ -155,7 +162,8 @@ assert (Sk : forall k, (k < m)%nat -> 0 < signed (Nat.even m) (Derive_n (F b) k 
 { intros k Hk. apply Hs; auto. destruct k as [|k]; simpl; auto. apply A. lia. }
 destruct (column_cases b Hb Hm) as [E|[Cb|E]].
 - exfalso. assert (B := Sk (m - 1)%nat ltac:(lia)). rewrite E, family_Derive_n_Pn, Pn_top in B by auto.
-  replace m with (S (m - 1)) in B at 1 by lia. rewrite even_S, signed_negb, signed_even, <- Rmult_assoc, <- Rpow_mult_distr in B.
+  replace m with (S (m - 1)) in B at 1 by lia.
+  rewrite even_S, signed_negb, signed_even, <- Rmult_assoc, <- Rpow_mult_distr in B.
   replace (-1 * -1) with 1 in B by ring. rewrite pow1 in B. assert (P := INR_fact_lt_0 (m - 1)). lra.
 - assert (Hb' : INR (m - 1) < b < INR (m - 1) + 1) by (rewrite minus_INR by lia; destruct Cb; simpl; lra).
   assert (NB : not_nat b) by apply (cell_not_nat m b Cb).
@@ -168,7 +176,8 @@ destruct (column_cases b Hb Hm) as [E|[Cb|E]].
 - rewrite E in *. apply (derivatives_positive (fun k t => signed (Nat.even m) (Derive_n (F (INR m)) k t)) m T); auto.
   + intros k u Hk. apply (is_derive_ext (fun t => (-1) ^ m * Derive_n (Pn m) k t)).
     * intros x. rewrite family_Derive_n_Pn, signed_even; auto.
-    * rewrite family_Derive_n_Pn, signed_even by auto. apply (is_derive_scal (Derive_n (Pn m) k)), Pn_Derive_n_derive. lia.
+    * rewrite family_Derive_n_Pn, signed_even by auto. apply (is_derive_scal (Derive_n (Pn m) k)), Pn_Derive_n_derive.
+      lia.
   + intros u _. rewrite family_Derive_n_Pn, Pn_top, signed_even, <- Rmult_assoc, <- Rpow_mult_distr by auto.
     replace (-1 * -1) with 1 by ring. rewrite pow1. assert (P := INR_fact_lt_0 m). lra.
 Qed.
@@ -190,13 +199,16 @@ destruct v as [|[|v]]; [| |lia].
   destruct (changes_one _ _ _ C) as (_ & j & Hj & A & B).
   assert (Hs0 : 0 < signed s (F b T)) by (apply (Hs 0%nat); auto; lia).
   assert (Hlow : forall k, (k <= j)%nat -> Gamma (- b) * Derive_n (F b) k T <= 0).
-  { intros k Hk. apply Rlt_le, GN, Hs; auto; [lia|]. destruct k as [|k]; simpl; [rewrite Es, Nat.add_1_r, even_S; reflexivity|apply A; lia]. }
-  assert (Hhigh : forall k, (j < k < m)%nat -> nth k (Some s :: signs) None = Some (Nat.even m) -> 0 <= Gamma (- b) * Derive_n (F b) k T).
+  { intros k Hk. apply Rlt_le, GN, Hs; auto; [lia|].
+    destruct k as [|k]; simpl; [rewrite Es, Nat.add_1_r, even_S; reflexivity|apply A; lia]. }
+  assert (Hhigh : forall k, (j < k < m)%nat -> nth k (Some s :: signs) None = Some (Nat.even m) ->
+    0 <= Gamma (- b) * Derive_n (F b) k T).
   { intros k Hk E. apply GP, Hs; auto. lia. }
   assert (Hj' : exists i, (1 <= i <= m)%nat /\ (forall k, (k < i)%nat -> Gamma (- b) * Derive_n (F b) k T <= 0) /\
     forall k, (i <= k <= m - 1)%nat -> 0 <= Gamma (- b) * Derive_n (F b) k T).
   { destruct B as [B|(B1 & B2 & B)].
-    - exists (S j). split; [lia|]. split; [intros; apply Hlow; lia|]. intros [|k] Hk; [lia|]. apply Hhigh; [lia|]. simpl. apply B. lia.
+    - exists (S j). split; [lia|]. split; [intros; apply Hlow; lia|]. intros [|k] Hk; [lia|]. apply Hhigh; [lia|].
+      simpl. apply B. lia.
     - destruct (Rle_lt_dec 0 (Gamma (- b) * Derive_n (F b) (S j) T)) as [P|P].
       + exists (S j). split; [lia|]. split; [intros; apply Hlow; lia|]. intros [|k] Hk; [lia|].
         destruct (Nat.eq_dec k j) as [->|Hne]; [exact P|]. apply Hhigh; [lia|]. simpl. apply B. lia.
@@ -204,8 +216,10 @@ destruct v as [|[|v]]; [| |lia].
         * intros k Hk. destruct (Nat.eq_dec k (S j)) as [->|Hne]; [lra|apply Hlow; lia].
         * intros [|k] Hk; [lia|]. apply Hhigh; [lia|]. simpl. apply B. lia. }
   destruct Hj' as (i & Hi & I1 & I2).
-  destruct (Ends.tail_with_one_zero (m - 1) i b (F b) T Hb' (family_theta F HF b NB) ltac:(lia) I1 I2) as (z & Hz & Ez & Dz & Before & After).
-  { change (Derive_n (F b) 0 T) with (F b T). apply Rlt_not_eq, GN. rewrite <- even_S, <- Nat.add_1_r, <- Es. exact Hs0. }
+  destruct (Ends.tail_with_one_zero (m - 1) i b (F b) T Hb' (family_theta F HF b NB) ltac:(lia) I1 I2)
+    as (z & Hz & Ez & Dz & Before & After).
+  { change (Derive_n (F b) 0 T) with (F b T). apply Rlt_not_eq, GN. rewrite <- even_S, <- Nat.add_1_r, <- Es.
+    exact Hs0. }
   exists [z]. split; auto. split; [repeat constructor|split].
   + intros t. unfold between. simpl. split.
     * intros [[Ht _] Et]. left. destruct (Rtotal_order t z) as [P|[P|P]]; auto; exfalso.
@@ -216,7 +230,8 @@ destruct v as [|[|v]]; [| |lia].
 Qed.
 
 (** ** [fold] *)
-Lemma fold_point (n : nat) t1 t2 t : (n mod 3 = 2)%nat -> t1 < 0 < t2 -> (forall t, t1 <= t <= t2 -> 0 < Derive_n (F (INR n)) 2 t) ->
+Lemma fold_point (n : nat) t1 t2 t : (n mod 3 = 2)%nat -> t1 < 0 < t2 ->
+  (forall t, t1 <= t <= t2 -> 0 < Derive_n (F (INR n)) 2 t) ->
   t1 <= t <= t2 -> t <> 0 -> 0 < F (INR n) t.
 Proof.
 intros Hn H12 Hconvex Ht Hne. rewrite family_Pn by auto.
@@ -227,12 +242,14 @@ Qed.
 
 Lemma pred_mod_3 k : (k mod 3 = 0 -> 3 <= k -> (k - 1) mod 3 = 2)%nat.
 Proof.
-intros H Hk. assert (E := Nat.div_mod k 3 ltac:(lia)). rewrite H in E. replace (k - 1)%nat with (2 + (k / 3 - 1) * 3)%nat by lia.
+intros H Hk. assert (E := Nat.div_mod k 3 ltac:(lia)). rewrite H in E.
+replace (k - 1)%nat with (2 + (k / 3 - 1) * 3)%nat by lia.
 rewrite Nat.mod_add by lia. reflexivity.
 Qed.
 
 (** Above its number n a fold holds no zero. *)
-Lemma fold_above_number t1 t2 b t : piece_checked F c (fold_piece t1 t2) -> fold_below c -> in_column c b -> INR m - 1 < b -> t1 <= t <= t2 ->
+Lemma fold_above_number t1 t2 b t : piece_checked F c (fold_piece t1 t2) -> fold_below c -> in_column c b ->
+  INR m - 1 < b -> t1 <= t <= t2 ->
   0 < F b t.
 Proof.
 intros (_ & H12 & _ & He & Hconvex & boxes & Hcover & Hboxes) ((Hm & Hm3) & Hlow) Hb Hbm Ht. fold m in Hm, Hm3, Hlow.
@@ -243,8 +260,10 @@ assert (Jn : forall b', INR m - 1 <= b' <= b -> in_column c b').
 assert (G0 : 0 <= F (INR m - 1) t).
 { rewrite <- En. destruct (Req_dec t 0) as [->|Hne].
   - rewrite family_Pn by auto. apply Pn_0_ge.
-  - apply Rlt_le, (fold_point (m - 1) t1 t2); auto using pred_mod_3. intros u Hu. rewrite En. apply Hconvex; auto. apply Jn. lra. }
-apply (weighted_increase _ (fun (box : (R * R) * (R * R) * R) b => let '((s1, s2), (b1, b2), _) := box in s1 <= t <= s2 /\ b1 <= b <= b2)
+  - apply Rlt_le, (fold_point (m - 1) t1 t2); auto using pred_mod_3. intros u Hu. rewrite En. apply Hconvex; auto.
+    apply Jn. lra. }
+apply (weighted_increase _ (fun (box : (R * R) * (R * R) * R) b => let '((s1, s2), (b1, b2), _) := box
+  in s1 <= t <= s2 /\ b1 <= b <= b2)
   snd boxes (fun b => F b t) (fun b => Derive (fun b => F b t) b) (INR m - 1) b).
 - intros [[[s1 s2] [x1 x2]] w] x y z Hx Hz Hy. lra.
 - intros b' Hb'. apply Hcover; auto.
@@ -261,9 +280,12 @@ Lemma fold_two_zeros t1 t2 b : piece_checked F c (fold_piece t1 t2) -> fold_abov
 Proof.
 intros (_ & H12 & _ & He & Hconvex & _) (Hm & _) Hb Cb. fold m in Hm.
 assert (N0 : F b 0 < 0).
-{ assert (P := sign_0 m b Cb). rewrite sg_mod, Hm in P. simpl in P. rewrite (family_Th F HF) by apply (cell_not_nat m b Cb). lra. }
-destruct (convex_two_zeros (F b) (Derive (F b)) (Derive_n (F b) 2) t1 t2 (family_derive F HF b) (family_derive2 F HF b) H12
-  (fun t Ht => Hconvex t b Ht Hb) N0 (proj1 (He b Hb)) (proj2 (He b Hb))) as (x & y & Hx & Hy & Ex & Ey & Dx & Dy & Hall).
+{ assert (P := sign_0 m b Cb). rewrite sg_mod, Hm in P. simpl in P.
+  rewrite (family_Th F HF) by apply (cell_not_nat m b Cb). lra. }
+destruct (convex_two_zeros (F b) (Derive (F b)) (Derive_n (F b) 2) t1 t2 (family_derive F HF b) (family_derive2 F HF b)
+  H12
+  (fun t Ht => Hconvex t b Ht Hb) N0 (proj1 (He b Hb)) (proj2 (He b Hb))) as (x & y & Hx & Hy & Ex & Ey & Dx & Dy &
+    Hall).
 exists [x; y]. split; auto. split; [|split].
 - constructor; [repeat constructor|]. constructor; [lra|constructor].
 - intros t. unfold between. simpl. split.
@@ -273,13 +295,16 @@ exists [x; y]. split; auto. split; [|split].
 Qed.
 
 (** ** What each piece says, for b in the open cell *)
-Lemma zeros_of_sign p b s : (forall t, between p t -> 0 < signed s (F b t)) -> exists l, length l = 0%nat /\ zeros_in (F b) (Derive (F b)) (between p) l.
+Lemma zeros_of_sign p b s : (forall t, between p t -> 0 < signed s (F b t)) -> exists l, length l = 0%nat /\
+  zeros_in (F b) (Derive (F b)) (between p) l.
 Proof. intros H. exists []. split; auto. apply zeros_in_none. intros t Ht. apply (signed_ne0 s), H, Ht. Qed.
 
-Lemma piece_says_checked p b : in_column c b -> (m = 0%nat \/ cell m b) -> piece_checked F c p -> piece_says (F b) (Derive (F b)) c p.
+Lemma piece_says_checked p b : in_column c b -> (m = 0%nat \/ cell m b) -> piece_checked F c p ->
+  piece_says (F b) (Derive (F b)) c p.
 Proof.
 intros Hb Cb Hp. split; [apply Hp|].
-assert (Constant : forall s, piece_sign c p = Some s -> zeros_inside c p = 0%nat -> (forall t, between p t -> 0 < signed s (F b t)) ->
+assert (Constant : forall s, piece_sign c p = Some s -> zeros_inside c p = 0%nat ->
+  (forall t, between p t -> 0 < signed s (F b t)) ->
   exists s, piece_sign c p = Some s /\ (forall x, fst (piece_ends p) = Finite x -> 0 < signed s (F b x)) /\
     (forall x, snd (piece_ends p) = Finite x -> 0 < signed s (F b x)) /\
     exists l, length l = zeros_inside c p /\ zeros_in (F b) (Derive (F b)) (between p) l).
@@ -288,8 +313,10 @@ assert (Constant : forall s, piece_sign c p = Some s -> zeros_inside c p = 0%nat
   - intros x Ex. apply H. split; rewrite Ex in *; [exact Hlt|apply Rbar_le_refl].
   - rewrite Ez. apply (zeros_of_sign p b s H). }
 destruct p as [| |X|t1 t2 s|t1 t2 d|t1 t2|t1 t2|T v].
-- apply (Constant true); auto. intros t _. apply family_positive; auto. destruct Hp as [_ Hp]. destruct Hb as [_ Hb]. simpl in Hp. lra.
-- apply (Constant true); auto. intros t _. apply family_positive; auto. destruct Hp as [_ Hp]. destruct Hb as [_ Hb]. simpl in Hp. lra.
+- apply (Constant true); auto. intros t _. apply family_positive; auto. destruct Hp as [_ Hp]. destruct Hb as [_ Hb].
+  simpl in Hp. lra.
+- apply (Constant true); auto. intros t _. apply family_positive; auto. destruct Hp as [_ Hp]. destruct Hb as [_ Hb].
+  simpl in Hp. lra.
 - apply (Constant true); auto. intros t [_ Ht]. apply (left_gives X); auto.
 - apply (Constant s); auto. intros t Ht. apply Hp; auto.
 - intros t Ht. apply Hp; auto.
@@ -298,8 +325,10 @@ destruct p as [| |X|t1 t2 s|t1 t2 d|t1 t2|t1 t2|T v].
   + intros x E. injection E as <-. apply He, Hb.
   + intros x E. injection E as <-. apply He, Hb.
   + cbn [zeros_inside]. fold m. destruct Hn as [Hn|Hn].
-    * assert (Em := proj1 (proj1 Hn)). fold m in Em. rewrite Em. simpl Nat.eqb. apply (zeros_of_sign (fold_piece t1 t2) b true). intros t Ht. simpl.
-      apply (fold_above_number t1 t2); auto. destruct Cb as [Cb|Cb]; [destruct Hn as [[_ Hn] _]; fold m in Hn; lia|]. apply Cb.
+    * assert (Em := proj1 (proj1 Hn)). fold m in Em. rewrite Em. simpl Nat.eqb.
+      apply (zeros_of_sign (fold_piece t1 t2) b true). intros t Ht. simpl.
+      apply (fold_above_number t1 t2); auto. destruct Cb as [Cb|Cb]; [destruct Hn as [[_ Hn] _]; fold m in Hn; lia|].
+      apply Cb.
     * assert (Em := proj1 Hn). fold m in Em. rewrite Em. simpl Nat.eqb. apply fold_two_zeros; auto.
       destruct Cb as [Cb|Cb]; [rewrite Cb in Em; discriminate|exact Cb].
 - exact I.
@@ -311,7 +340,8 @@ destruct p as [| |X|t1 t2 s|t1 t2 d|t1 t2|t1 t2|T v].
 Qed.
 
 (** ** Signs *)
-Lemma sign_on_piece tau beta s p b t : sign_column F tau beta s c -> In p (column_pieces c) -> between p t -> in_range tau t -> in_column c b ->
+Lemma sign_on_piece tau beta s p b t : sign_column F tau beta s c -> In p (column_pieces c) -> between p t ->
+  in_range tau t -> in_column c b ->
   in_range beta (b + 1) -> 0 < signed s (F b t).
 Proof.
 intros (_ & _ & H) Ip Ht Htau Hb Hbeta. destruct (H p Ip) as (Hp & Es & Hx). clear H.
@@ -328,12 +358,14 @@ destruct p as [| |X|t1 t2 s'|t1 t2 d|t1 t2|t1 t2|T v]; cbn [piece_sign] in Es; t
   assert (Cases : (fold_below c /\ INR m - 1 < b) \/ exists k : nat, (k mod 3 = 2)%nat /\ b = INR k).
   { destruct Hf as [Hf|Hf].
     - destruct (Rle_lt_dec b (INR m - 1)) as [L|L]; [right|left; auto].
-      destruct Hf as [[Hm Hm3] El]. fold m in Hm, Hm3, El. rewrite El in Hlow. injection Hlow as Em. rewrite <- Em in Low.
+      destruct Hf as [[Hm Hm3] El]. fold m in Hm, Hm3, El. rewrite El in Hlow. injection Hlow as Em.
+      rewrite <- Em in Low.
       exists (m - 1)%nat. split; [apply pred_mod_3; auto|]. rewrite minus_INR by lia. simpl. lra.
     - right. destruct Hf as [Hm Hhigh]. fold m in Hm, Hhigh. exists m. split; auto.
       assert (B2 := proj2 Hb). rewrite Hhigh in B2.
       assert (Hnm : (m + 1 <= n)%nat).
-      { destruct Hc as [_ [C|C]]; fold m in C; [rewrite C in Hm; discriminate|]. rewrite Hlow in C. simpl in C. apply INR_le in C.
+      { destruct Hc as [_ [C|C]]; fold m in C; [rewrite C in Hm; discriminate|]. rewrite Hlow in C. simpl in C.
+        apply INR_le in C.
         assert (n <> m) by (intros ->; rewrite Hm in Hn; discriminate). lia. }
       apply le_INR in Hnm. rewrite plus_INR in Hnm. simpl in Hnm. lra. }
   destruct Cases as [[Hf' L]|(k & Hk & Eb)].
@@ -350,21 +382,26 @@ destruct p as [| |X|t1 t2 s'|t1 t2 d|t1 t2|t1 t2|T v]; cbn [piece_sign] in Es; t
   assert (T12 : t1 <= t <= t2) by (destruct Ht; auto). simpl in Hlt.
   destruct (Req_dec t 0) as [->|Hne].
   { apply Zs. intros n Eb. assert (Ln := Nat.mod_upper_bound n 3 ltac:(lia)).
-    destruct (n mod 3)%nat as [|k] eqn:E; auto. exfalso. apply Hzero. split; auto. exists (S n). rewrite S_INR, <- Eb. split; [|split].
-    - replace (S n) with (n + 1)%nat by lia. rewrite <- Nat.add_mod_idemp_l, E by lia. destruct k as [|[|k]]; [discriminate|discriminate|lia].
+    destruct (n mod 3)%nat as [|k] eqn:E; auto. exfalso. apply Hzero. split; auto. exists (S n). rewrite S_INR, <- Eb.
+    split; [|split].
+    - replace (S n) with (n + 1)%nat by lia. rewrite <- Nat.add_mod_idemp_l, E by lia.
+      destruct k as [|[|k]]; [discriminate|discriminate|lia].
     - replace (b + 1 - 1) with b by ring. exact Hb.
     - exact Hbeta. }
   set (e := if s0 then 1 else -1).
   assert (Se : forall u, e * u = signed s0 u) by (intros u; unfold e; destruct s0; simpl; ring).
-  destruct (FoldAndHinge.hinge (F b) e t1 t2 ltac:(destruct H0; lra) (fun u => ex_intro _ _ (family_derive F HF b u)) ltac:(rewrite Se; exact Z)) as [Left Right].
+  destruct (FoldAndHinge.hinge (F b) e t1 t2 ltac:(destruct H0; lra) (fun u => ex_intro _ _ (family_derive F HF b u))
+    ltac:(rewrite Se; exact Z)) as [Left Right].
   rewrite <- Se. destruct (Rle_dec 0 t1) as [L|L].
   + apply Right; [|lra]. intros u Hu. rewrite Se. apply Hd; auto. lra.
-  + assert (t2 = 0) by (destruct H0; lra). apply Left; [|lra]. intros u Hu. rewrite Se, <- signed_negb. apply Hd; auto. lra.
+  + assert (t2 = 0) by (destruct H0; lra). apply Left; [|lra]. intros u Hu. rewrite Se, <- signed_negb. apply Hd; auto.
+    lra.
 - subst v. rewrite Nat.add_0_r in Es. rewrite <- Es. fold m. apply (right_none T); auto. apply Ht.
 Qed.
 
 (** ** The number of zeros *)
-Lemma zeros_on_line count b : cover (map piece_ends (column_pieces c)) m_infty p_infty -> (forall p, In p (column_pieces c) -> piece_checked F c p) ->
+Lemma zeros_on_line count b : cover (map piece_ends (column_pieces c)) m_infty p_infty ->
+  (forall p, In p (column_pieces c) -> piece_checked F c p) ->
   zeros_counted c None None (column_pieces c) = Some count -> in_column c b -> (m = 0%nat \/ cell m b) ->
   exists l, length l = count /\ zeros_in (F b) (Derive (F b)) (fun _ => True) l.
 Proof.
@@ -380,7 +417,8 @@ End Pieces.
 Lemma in_range_closure r x : in_range r x -> Rbar_le (range_from r) x /\ Rbar_le x (range_to r).
 Proof. intros [A B]. destruct (closed_from r), (closed_to r); auto using Rbar_lt_le. Qed.
 
-Lemma column_of columns beta x : cover (map (fun c => (column_low c, Finite (column_high c))) columns) (range_from beta) (range_to beta) ->
+Lemma column_of columns beta x : cover (map (fun c => (column_low c, Finite (column_high c))) columns) (range_from beta)
+  (range_to beta) ->
   in_range beta x -> exists c, In c columns /\ in_column c (x - 1).
 Proof.
 intros H Hx. apply in_range_closure in Hx. destruct (cover_point _ _ _ x H (proj1 Hx) (proj2 Hx)) as (part & I & A & B).
@@ -425,7 +463,8 @@ intros [C1 C2] [H1 H2] Hb. replace (b - 1 + 1) with b in * by ring.
 assert (Hk : (k <= column_cell c)%nat).
 { apply Nat.lt_succ_r, INR_lt. rewrite S_INR. lra. }
 assert (Hk' : (column_cell c <= k)%nat).
-{ destruct C2 as [C2|C2]; [lia|]. assert (A := Rbar_le_trans _ _ _ C2 H1). simpl in A. apply Nat.lt_succ_r, INR_lt. rewrite S_INR. lra. }
+{ destruct C2 as [C2|C2]; [lia|]. assert (A := Rbar_le_trans _ _ _ C2 H1). simpl in A. apply Nat.lt_succ_r, INR_lt.
+  rewrite S_INR. lra. }
 assert (E : k = column_cell c) by lia. split; auto. right. rewrite <- E. split; lra.
 Qed.
 
@@ -444,7 +483,8 @@ Qed.
 
 (** A continuous function with a change of sign in each of k disjoint brackets, and k zeros in all. *)
 Lemma one_in_each (f f' : R -> R) (brackets : list (R * R)) l : (forall t, is_derive f t (f' t)) ->
-  StronglySorted (fun one two => snd one <= fst two) brackets -> (forall lo hi, In (lo, hi) brackets -> lo < hi /\ f lo * f hi < 0) ->
+  StronglySorted (fun one two => snd one <= fst two) brackets -> (forall lo hi, In (lo, hi) brackets -> lo < hi /\
+    f lo * f hi < 0) ->
   StronglySorted Rlt l -> (forall t, f t = 0 -> In t l) -> length l = length brackets ->
   forall i, (i < length l)%nat -> fst (nth i brackets (0, 0)) < nth i l 0 < snd (nth i brackets (0, 0)).
 Proof.
@@ -459,12 +499,14 @@ assert (Z : exists z, length z = length brackets /\ StronglySorted Rlt z /\ (for
     destruct (Hb lo hi (or_introl eq_refl)) as [Hlt Hs].
     destruct (IVT_cor f lo hi (derive_continuity f f' D) ltac:(lra) ltac:(lra)) as (x & Hx & Ex).
     assert (X : lo < x < hi).
-    { split; [destruct (Rle_lt_or_eq_dec _ _ (proj1 Hx)) as [P|P]|destruct (Rle_lt_or_eq_dec _ _ (proj2 Hx)) as [P|P]]; auto; exfalso.
+    { split; [destruct (Rle_lt_or_eq_dec _ _ (proj1 Hx)) as [P|P]|destruct (Rle_lt_or_eq_dec _ _ (proj2 Hx)) as [P|P]];
+        auto; exfalso.
       - rewrite <- P in Ex. rewrite Ex in Hs. lra.
       - rewrite P in Ex. rewrite Ex in Hs. lra. }
     exists (x :: z). rewrite Forall_forall in Fb. repeat split.
     + simpl. congruence.
-    + constructor; auto. apply Forall_forall. intros u Hu. destruct (Bz u Hu) as (one & I & P). specialize (Fb one I). simpl in Fb. lra.
+    + constructor; auto. apply Forall_forall. intros u Hu. destruct (Bz u Hu) as (one & I & P). specialize (Fb one I).
+      simpl in Fb. lra.
     + intros t [<-|I]; auto.
     + intros t [<-|I].
       * exists (lo, hi). split; [left; reflexivity|simpl; lra].
@@ -490,7 +532,8 @@ assert (Hk : INR k < b < INR k + 1).
 destruct (cell_of_column c k b C Hc Hk) as [Em Cb].
 destruct (zeros_on_line F HF c C (length brackets) (b - 1) Hp Hall Hz Hc Cb) as (l & L & Z).
 destruct (zeros_of_slope F b l HF (Rgt_not_eq _ _ Hb) Z) as [A B].
-assert (Each := one_in_each (F (b - 1)) (Derive (F (b - 1))) brackets l (family_derive F HF (b - 1)) Hsort Hsigns (proj1 Z)
+assert (Each := one_in_each (F (b - 1)) (Derive (F (b - 1))) brackets l (family_derive F HF (b - 1)) Hsort Hsigns
+  (proj1 Z)
   (fun t E => proj1 (proj1 (proj2 Z) t) (conj I E)) L).
 exists l. auto.
 Qed.

@@ -1,7 +1,7 @@
 (** * A certificate as data, and its text
 
-    What stands in a file of a certificate of version 1 (proofs/certificate.md, "Text"), with rational numbers; [text] writes it as the lines of the file, all but
-    the last one, the hash. *)
+    What stands in a file of a certificate of version 1 (proofs/certificate.md, "Text"), with rational numbers; [text]
+    writes it as the lines of the file, all but the last one, the hash. *)
 
 From Coq Require Import ZArith QArith List String Ascii DecimalString.
 Import ListNotations.
@@ -71,14 +71,17 @@ Definition claim_text (c : claim) : string :=
   object
     match c with
     | SignClaim tau beta s =>
-        [field "beta" (interval_text beta); field "kind" (quoted "sign"); field "sign" (plus_or_minus s); field "tau" (interval_text tau)]
+        [field "beta" (interval_text beta); field "kind" (quoted "sign"); field "sign" (plus_or_minus s);
+          field "tau" (interval_text tau)]
     | ZerosClaim beta counts =>
         [field "beta" (interval_text beta);
-         field "counts" (listed (map (fun e => listed [integer (Z.of_nat (fst e)); integer (Z.of_nat (snd e))]) counts));
+         field "counts" (listed (map (fun e => listed [integer (Z.of_nat (fst e)); integer (Z.of_nat (snd e))])
+           counts));
          field "kind" (quoted "zeros")]
     end.
 
-Definition pages : list string := ["certificate"; "fold"; "identities"; "initial_values"; "laplace"; "negative"; "tails"].
+Definition pages : list string := ["certificate"; "fold"; "identities"; "initial_values"; "laplace"; "negative";
+  "tails"].
 
 Definition text (c : certificate) : string :=
   object [field "format" (quoted "gspot_verified certificate"); field "hypotheses" (listed (map quoted pages));

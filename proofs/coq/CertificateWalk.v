@@ -1,8 +1,9 @@
 (** * From the pieces of a column to the zeros on the line
 
-    proofs/certificate.md, the walk. f is one differentiable function. A piece that fixes a sign holds a known number of zeros, all simple,
-    and none at its ends; between two of them a run of pieces on which f is monotone in one direction holds one simple zero if the
-    signs differ, and none if they agree. Put together from -oo to +oo these are all zeros of f. *)
+    proofs/certificate.md, the walk. f is one differentiable function. A piece that fixes a sign holds a known number of
+    zeros, all simple, and none at its ends; between two of them a run of pieces on which f is monotone in one direction
+    holds one simple zero if the signs differ, and none if they agree. Put together from -oo to +oo these are all zeros
+    of f. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -59,7 +60,8 @@ Proof.
 intros (A1 & B1 & C1) (A2 & B2 & C2) Hx H1 H2. split; [|split].
 - apply (sorted_app l1 l2 x); auto; intros t Ht.
   + apply B1 in Ht. destruct Ht as [St Et]. destruct (Rle_lt_or_eq_dec _ _ (H1 t St)) as [L| ->]; auto. contradiction.
-  + apply B2 in Ht. destruct Ht as [St Et]. destruct (Rle_lt_or_eq_dec _ _ (H2 t St)) as [L|E]; auto. rewrite E in Hx. contradiction.
+  + apply B2 in Ht. destruct Ht as [St Et]. destruct (Rle_lt_or_eq_dec _ _ (H2 t St)) as [L|E]; auto. rewrite E in Hx.
+    contradiction.
 - intros t. rewrite in_app_iff, <- B1, <- B2. tauto.
 - intros t Ht. apply in_app_iff in Ht. destruct Ht as [Ht|Ht]; auto.
 Qed.
@@ -77,14 +79,16 @@ assert (Up : forall u v, x <= u <= v -> v <= y -> signed d (f u) <= signed d (f 
 split; apply Up; lra.
 Qed.
 
-Lemma monotone_no_zero s d x y : x <= y -> (forall u, x <= u <= y -> 0 < signed d (f' u)) -> 0 < signed s (f x) -> 0 < signed s (f y) ->
+Lemma monotone_no_zero s d x y : x <= y -> (forall u, x <= u <= y -> 0 < signed d (f' u)) -> 0 < signed s (f x) ->
+  0 < signed s (f y) ->
   zeros_in (fun t => x <= t <= y) [].
 Proof.
 intros Hxy H Hx Hy. apply zeros_in_none. intros t Ht.
 assert (A := monotone_between d x y t H Ht). destruct s, d; simpl in *; lra.
 Qed.
 
-Lemma monotone_one_zero d x y : x <= y -> (forall u, x <= u <= y -> 0 < signed d (f' u)) -> 0 < signed (negb d) (f x) -> 0 < signed d (f y) ->
+Lemma monotone_one_zero d x y : x <= y -> (forall u, x <= u <= y -> 0 < signed d (f' u)) -> 0 < signed (negb d) (f x) ->
+  0 < signed d (f y) ->
   exists z, zeros_in (fun t => x <= t <= y) [z].
 Proof.
 intros Hxy H Hx Hy. rewrite signed_negb in Hx.
@@ -149,7 +153,8 @@ Qed.
 Definition known (before run : option bool) (x : Rbar) (k : nat) : Prop :=
   match before, run with
   | None, None => x = m_infty /\ k = 0%nat
-  | Some s, None => exists l, zeros_in (fun t => Rbar_le t x) l /\ length l = k /\ forall y, x = Finite y -> 0 < signed s (f y)
+  | Some s, None => exists l, zeros_in (fun t => Rbar_le t x) l /\ length l = k /\ forall y, x = Finite y ->
+    0 < signed s (f y)
   | Some s, Some d => exists x0 y l, x = Finite y /\ x0 <= y /\ zeros_in (fun t => t <= x0) l /\ length l = k /\
       0 < signed s (f x0) /\ forall t, x0 <= t <= y -> 0 < signed d (f' t)
   | None, Some _ => False
@@ -179,7 +184,8 @@ destruct before as [s|], run as [d|]; simpl in K, Hn.
   assert (Sy := Sl y eq_refl).
   assert (C : exists l', zeros_in (fun t => x0 <= t <= y) l' /\ length l' = n).
   { destruct (Bool.eqb s s') eqn:E.
-    - apply Bool.eqb_prop in E. subst s'. injection Hn as <-. exists []. split; auto. apply (monotone_no_zero s d); auto.
+    - apply Bool.eqb_prop in E. subst s'. injection Hn as <-. exists []. split; auto.
+      apply (monotone_no_zero s d); auto.
     - destruct (Bool.eqb d s') eqn:E'; [|discriminate]. apply Bool.eqb_prop in E'. subst s'. injection Hn as <-.
       assert (Es : s = negb d) by (destruct s, d; auto; discriminate). rewrite Es in S0.
       destruct (monotone_one_zero d x0 y H0 M S0 Sy) as (z & Zz). exists [z]. auto. }
@@ -204,17 +210,21 @@ destruct before as [s|], run as [d|]; simpl in K, Hn.
 Qed.
 
 Lemma walk c pieces : forall before run x k n, chain x pieces -> (forall p, In p pieces -> piece_says c p) ->
-  known before run x k -> zeros_counted c before run pieces = Some n -> exists l, zeros_in (fun _ => True) l /\ length l = (k + n)%nat.
+  known before run x k -> zeros_counted c before run pieces = Some n -> exists l, zeros_in (fun _ => True) l /\
+    length l = (k + n)%nat.
 Proof.
 induction pieces as [|p rest IH]; intros before run x k n Hc Hp K Hz.
 - simpl in Hc, Hz. subst x. destruct run; [discriminate|]. injection Hz as <-.
   destruct before as [s|]; [|destruct K as [K _]; discriminate].
   destruct K as (l & Z & L & _). exists l. split; [|lia]. eapply zeros_in_ext; [|exact Z]. intros t. simpl. tauto.
-- destruct Hc as [Ex Hc]. assert (Hq : forall q, In q rest -> piece_says c q) by (intros q Hq; apply Hp; right; exact Hq).
+- destruct Hc as [Ex Hc].
+  assert (Hq : forall q, In q rest -> piece_says c q) by (intros q Hq; apply Hp; right; exact Hq).
   assert (P := Hp p (or_introl eq_refl)). clear Hp.
   assert (Fixed : forall s', piece_sign c p = Some s' ->
-    (forall y, fst (piece_ends p) = Finite y -> 0 < signed s' (f y)) -> (forall y, snd (piece_ends p) = Finite y -> 0 < signed s' (f y)) ->
-    (exists l, length l = zeros_inside c p /\ zeros_in (between p) l) -> Rbar_lt (fst (piece_ends p)) (snd (piece_ends p)) ->
+    (forall y, fst (piece_ends p) = Finite y -> 0 < signed s' (f y)) -> (forall y, snd (piece_ends p) = Finite y ->
+      0 < signed s' (f y)) ->
+    (exists l, length l = zeros_inside c p /\ zeros_in (between p) l) ->
+      Rbar_lt (fst (piece_ends p)) (snd (piece_ends p)) ->
     match crossings before run s', zeros_counted c (Some s') None rest with
     | Some i, Some j => Some (i + zeros_inside c p + j)%nat | _, _ => None end = Some n ->
     exists l, zeros_in (fun _ => True) l /\ length l = (k + n)%nat).
@@ -225,7 +235,8 @@ induction pieces as [|p rest IH]; intros before run x k n Hc Hp K Hz.
     - exists l. split; auto. lia. }
   destruct P as [Hlt P].
   destruct p as [| |X|t1 t2 s|t1 t2 d|t1 t2|t1 t2|T v];
-    try (destruct P as (s' & Es & Sl & Sr & Hl); apply (Fixed s' Es Sl Sr Hl Hlt); cbn [zeros_counted] in Hz; rewrite Es in Hz; exact Hz).
+    try (destruct P as (s' & Es & Sl & Sr & Hl); apply (Fixed s' Es Sl Sr Hl Hlt); cbn [zeros_counted] in Hz;
+      rewrite Es in Hz; exact Hz).
   + cbn [zeros_counted] in Hz. simpl in Ex, Hc, Hlt. subst x.
     destruct before as [s|]; [|discriminate]. destruct run as [d'|].
     * destruct (Bool.eqb d d') eqn:E; [|discriminate]. apply Bool.eqb_prop in E. subst d'.
@@ -238,7 +249,8 @@ induction pieces as [|p rest IH]; intros before run x k n Hc Hp K Hz.
   + discriminate.
 Qed.
 
-Theorem walk_line c pieces n : cover (map piece_ends pieces) m_infty p_infty -> (forall p, In p pieces -> piece_says c p) ->
+Theorem walk_line c pieces n : cover (map piece_ends pieces) m_infty p_infty ->
+  (forall p, In p pieces -> piece_says c p) ->
   zeros_counted c None None pieces = Some n -> exists l, zeros_in (fun _ => True) l /\ length l = n.
 Proof. intros H Hp Hz. apply (walk c pieces None None m_infty 0 n); auto using cover_chain. split; reflexivity. Qed.
 

@@ -1,7 +1,8 @@
 (** * A checker of certificates: what it computes
 
-    Integers and rationals only; [CheckerSound.v] proves that what it accepts is true, so nothing here has to be believed.
-    It follows proofs/check.md: b = (centre + radius eta)/unit with |eta| <= 1; F/x^b is carried along t from -x. *)
+    Integers and rationals only; [CheckerSound.v] proves that what it accepts is true, so nothing here has to be
+    believed. It follows proofs/check.md: b = (centre + radius eta)/unit with |eta| <= 1; F/x^b is carried along t from
+    -x. *)
 
 From Coq Require Import ZArith QArith Qabs Qreduction List Bool.
 Import ListNotations.
@@ -87,11 +88,13 @@ Definition minus_b (g : setting) (i factor : Z) (m : model) : model :=
 Record state := State { point : Q; scale : Q; value0 : model; value1 : model; value2 : model }.
 
 (** The terms t_k, t_k (3k - b), t_k (3k - b)(3k + 1 - b). *)
-Definition once (g : setting) (k : Z) (term : model) : model := shrink (kept_degrees g) (b_unit g) (minus_b g (3 * k) 1 term).
+Definition once (g : setting) (k : Z) (term : model) : model := shrink (kept_degrees g) (b_unit g)
+  (minus_b g (3 * k) 1 term).
 Definition twice (g : setting) (k : Z) (term : model) : model :=
   shrink (kept_degrees g) (b_unit g) (minus_b g (3 * k + 1) 1 (once g k term)).
 Definition next_term (g : setting) (x k : Z) (term : model) : model :=
-  model_times (-1) (shrink (kept_degrees g) (b_unit g * (3 * (k + 1) * x ^ 3)) (minus_b g (3 * k + 2) 1 (twice g k term))).
+  model_times (-1) (shrink (kept_degrees g) (b_unit g * (3 * (k + 1) * x ^ 3))
+    (minus_b g (3 * k + 2) 1 (twice g k term))).
 
 Definition zero_model : model := Model [] 0.
 
@@ -113,13 +116,15 @@ Fixpoint terms (count : nat) (g : setting) (x k : Z) (term sum0 sum1 sum2 : mode
 Definition start (count : nat) (g : setting) (x one : Z) : state :=
   let '(term, sum0, sum1, sum2) := terms count g x 0 (Model [[one]] 0) zero_model zero_model zero_model in
   let k := Z.of_nat count in
-  State (inject_Z (- x)) (inject_Z x) (model_plus sum0 (rest_at 0 g term)) (model_plus sum1 (rest_at 1 g (once g k term)))
+  State (inject_Z (- x)) (inject_Z x) (model_plus sum0 (rest_at 0 g term))
+    (model_plus sum1 (rest_at 1 g (once g k term)))
     (model_plus sum2 (rest_at 2 g (twice g k term))).
 
 (** ** Taylor coefficients *)
 
 (** A rational multiple. *)
-Definition multiple (g : setting) (q : Q) (m : model) : model := shrink (kept_degrees g) (Zpos (Qden q)) (model_times (Qnum q) m).
+Definition multiple (g : setting) (q : Q) (m : model) : model := shrink (kept_degrees g) (Zpos (Qden q))
+  (model_times (Qnum q) m).
 
 (** t s^2 = square/common and s^3/unit = cube/common *)
 Record step := Step { square : Z; cube : Z; common : Z }.
@@ -159,10 +164,12 @@ Fixpoint slopes_from (k : Z) (l : list model) : list model :=
 
 Definition slopes (l : list model) : list model := slopes_from 1 (tl l).
 
-(** q(n - 3) <= 1/2: the coefficients from the n-th on are together at most three times the greatest of the last three. *)
+(** q(n - 3) <= 1/2: the coefficients from the n-th on are together at most three times the greatest of the last
+    three. *)
 Definition tail_is_small (b : Z) (t s : Q) (n : nat) : bool :=
   let i := inject_Z (Z.of_nat n - 3) in
-  (3 <=? Z.of_nat n) && Qle_bool (2 * (Qabs t * s * s * (i + 1) + (i + inject_Z b) * s * s * s)) ((i + 1) * (i + 2) * (i + 3)).
+  (3 <=? Z.of_nat n) && Qle_bool (2 * (Qabs t * s * s * (i + 1) + (i + inject_Z b) * s * s * s))
+    ((i + 1) * (i + 2) * (i + 3)).
 
 Definition tail_bound (l : list model) : Z :=
   3 * fold_right (fun a m => Z.max (model_norm a) m) 0 (skipn (length l - 3) l).
@@ -224,7 +231,8 @@ Fixpoint advance (fuel : nat) (g : setting) (w : effort) (target : Q) (st : stat
     end.
 
 (** The sign s of the function (order 0) or of its slope (order 1) on [t1, t2], which is cut where needed. *)
-Fixpoint has_sign (cuts : nat) (g : setting) (w : effort) (order : nat) (s : bool) (t1 t2 : Q) (st : state) : option state :=
+Fixpoint has_sign (cuts : nat) (g : setting) (w : effort) (order : nat) (s : bool) (t1 t2 : Q) (st : state)
+  : option state :=
   let middle := Qred ((t1 + t2) / 2) in
   let half := Qred ((t2 - t1) / 2) in
   let direct :=

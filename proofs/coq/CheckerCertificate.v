@@ -1,7 +1,8 @@
 (** * A checker of certificates: the decision
 
-    [accepts plans c] is true only if every statement that a certificate makes is proved: the covers, the comparisons of the pieces, and their signs, which
-    [Checker.v] finds. The plans say how exactly and in how many parts to compute; nothing depends on them but whether the answer is found. *)
+    [accepts plans c] is true only if every statement that a certificate makes is proved: the covers, the comparisons of
+    the pieces, and their signs, which [Checker.v] finds. The plans say how exactly and in how many parts to compute;
+    nothing depends on them but whether the answer is found. *)
 
 From Coq Require Import Reals ZArith QArith Qabs Qround Qreduction Qreals List Bool.
 From Coquelicot Require Import Coquelicot.
@@ -75,7 +76,8 @@ Definition larger (p q : Q) : Q := if Qle_bool p q then q else p.
 Fixpoint factors (low high : Q) (n : nat) : Q :=
   match n with
   | O => 1
-  | S n => Qred (factors low high n * larger (Qabs (low - 1 - inject_Z (Z.of_nat n))) (Qabs (high - 1 - inject_Z (Z.of_nat n))))
+  | S n => Qred (factors low high n * larger (Qabs (low - 1 - inject_Z (Z.of_nat n)))
+    (Qabs (high - 1 - inject_Z (Z.of_nat n))))
   end.
 
 Fixpoint natural_power (q : Q) (n : nat) : Q := match n with O => 1 | S n => Qred (q * natural_power q n) end.
@@ -85,7 +87,8 @@ Definition far_left (c : block) (X : Q) : bool :=
   match beta_from c with
   | At low =>
       less X 0 && Qle_bool 0 low &&
-      less (factors low (beta_to c) (3 * N)) (natural_power (- X) (3 * N) * natural_power 3 N * inject_Z (Z.of_nat (fact N)))
+      less (factors low (beta_to c) (3 * N)) (natural_power (- X) (3 * N) * natural_power 3 N * inject_Z
+        (Z.of_nat (fact N)))
   | _ => false
   end.
 
@@ -104,7 +107,8 @@ Definition entry_fits (c : block) (p : entry) : bool :=
 (** ** The signs of F, for a part of J *)
 
 (** How to compute: from -x, with so many terms, in units of 1/one; how often J may be halved. *)
-Record plan := Plan { plan_x : Z; plan_terms : nat; plan_one : Z; plan_halvings : nat; plan_degrees : list nat; plan_effort : effort }.
+Record plan := Plan { plan_x : Z; plan_terms : nat; plan_one : Z; plan_halvings : nat; plan_degrees : list nat;
+  plan_effort : effort }.
 
 Definition setting_for (p : plan) (low high : Q) : setting :=
   let middle := Qred ((low + high) / 2) in
@@ -156,7 +160,8 @@ Fixpoint walk (g : setting) (w : effort) (m : nat) (pieces : list entry) (st : s
 
 Definition walk_part (p : plan) (m : nat) (pieces : list entry) (low high : Q) : option (list (option bool)) :=
   let g := setting_for p low high in
-  if setting_is_right g low high && (0 <? plan_x p) && (0 <? plan_one p) && less high (inject_Z (3 * Z.of_nat (plan_terms p)))
+  if setting_is_right g low high && (0 <? plan_x p) && (0 <? plan_one p) && less high
+    (inject_Z (3 * Z.of_nat (plan_terms p)))
   then walk g (plan_effort p) m pieces (start (plan_terms p) g (plan_x p) (plan_one p))
   else None.
 
@@ -232,14 +237,16 @@ Definition gives_sign (tau : interval) (m : nat) (s : bool) (p : entry) : bool :
   end.
 
 Definition sign_block (tau : interval) (s : bool) (p : plan) (c : block) : bool :=
-  if covers (map ends_of (entries c)) (interval_from tau) (interval_to tau) && forallb (gives_sign tau (cell_of c) s) (entries c)
+  if covers (map ends_of (entries c)) (interval_from tau) (interval_to tau) && forallb (gives_sign tau (cell_of c) s)
+    (entries c)
   then pieces_hold p c else false.
 
 (** The pieces with any numbers: [zeros_counted] looks at the signs only. *)
 Definition shape (p : entry) : piece :=
   match p with
   | Laplace => laplace_piece | Taylor => taylor_piece | Left _ => left_piece 0%R | Sign _ _ s => sign_piece 0%R 0%R s
-  | Monotone _ _ d => monotone_piece 0%R 0%R d | Fold _ _ => fold_piece 0%R 0%R | Hinge _ _ => hinge_piece 0%R 0%R | Right _ v => right_piece 0%R v
+  | Monotone _ _ d => monotone_piece 0%R 0%R d | Fold _ _ => fold_piece 0%R 0%R | Hinge _ _ => hinge_piece 0%R 0%R |
+    Right _ v => right_piece 0%R v
   end.
 
 Definition zeros_block (counts : list (nat * nat)) (p : plan) (c : block) : bool :=
@@ -271,8 +278,8 @@ Definition accepts (plans : list plan) (c : certificate) : bool :=
       then on_each (zeros_block counts) plans (blocks c) else false
   end.
 
-(** The claim *zeros* alone, without pieces: the law gives m mod 3 + floor(m/3) zeros for beta in (m, m + 1). The counts must be these, and every
-    cell of the range must be listed. *)
+(** The claim *zeros* alone, without pieces: the law gives m mod 3 + floor(m/3) zeros for beta in (m, m + 1). The counts
+    must be these, and every cell of the range must be listed. *)
 Definition counted (c : claim) : bool :=
   match c with
   | ZerosClaim (Interval (At low) (At high) _ _) counts =>

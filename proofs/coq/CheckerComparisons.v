@@ -4,7 +4,8 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith QArith Qabs Qround Qreals List Bool.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCertificate CertificateText Checker CheckerCertificate CheckerEnclosure StatementChecker.
+From GSpot Require Import Statement StatementCertificate CertificateText Checker CheckerCertificate CheckerEnclosure
+  StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -26,7 +27,8 @@ Proof. rewrite Q2R_whole, <- INR_IZR_INZ. reflexivity. Qed.
 
 Lemma edge_le_R e e' : edge_le e e' = true <-> Rbar_le (real_edge e) (real_edge e').
 Proof.
-destruct e as [|p|], e' as [|q|]; simpl; split; intros H; auto; try discriminate; try contradiction; apply Qle_bool_R; auto.
+destruct e as [|p|], e' as [|q|]; simpl; split; intros H; auto; try discriminate; try contradiction; apply Qle_bool_R;
+  auto.
 Qed.
 
 Lemma edge_lt_R e e' : edge_lt e e' = true <-> Rbar_lt (real_edge e) (real_edge e').
@@ -36,15 +38,19 @@ Qed.
 
 Lemma edge_same_R e e' : edge_same e e' = true -> real_edge e = real_edge e'.
 Proof.
-unfold edge_same. intros H. apply andb_prop in H. destruct H as [A B]. apply edge_le_R in A. apply edge_le_R in B. apply Rbar_le_antisym; auto.
+unfold edge_same. intros H. apply andb_prop in H. destruct H as [A B]. apply edge_le_R in A. apply edge_le_R in B.
+apply Rbar_le_antisym; auto.
 Qed.
 
-Definition real_parts (parts : list (edge * edge)) : list (Rbar * Rbar) := map (fun part => (real_edge (fst part), real_edge (snd part))) parts.
+Definition real_parts (parts : list (edge * edge)) : list (Rbar * Rbar) := map (fun part =>
+  (real_edge (fst part), real_edge (snd part))) parts.
 
-Lemma covers_R parts : forall start stop, covers parts start stop = true -> cover (real_parts parts) (real_edge start) (real_edge stop).
+Lemma covers_R parts : forall start stop, covers parts start stop = true -> cover (real_parts parts) (real_edge start)
+  (real_edge stop).
 Proof.
 induction parts as [|[low high] rest IH]; intros start stop H; [discriminate|].
-cbn [covers] in H. apply andb_prop in H. destruct H as [A B]. apply edge_le_R in A. cbn [real_parts map cover fst snd]. split; auto.
+cbn [covers] in H. apply andb_prop in H. destruct H as [A B]. apply edge_le_R in A. cbn [real_parts map cover fst snd].
+split; auto.
 destruct rest as [|[next end_] rest'].
 - simpl. apply edge_le_R, B.
 - apply andb_prop in B. destruct B as [B C]. cbn [map fst snd]. split. apply edge_same_R, B. apply (IH high stop C).
@@ -76,12 +82,14 @@ Qed.
 (** ** Pieces with real numbers *)
 Definition real_piece (p : entry) : piece :=
   match p with
-  | Laplace => laplace_piece | Taylor => taylor_piece | Left X => left_piece (Q2R X) | Sign t1 t2 s => sign_piece (Q2R t1) (Q2R t2) s
+  | Laplace => laplace_piece | Taylor => taylor_piece | Left X => left_piece (Q2R X) | Sign t1 t2 s =>
+    sign_piece (Q2R t1) (Q2R t2) s
   | Monotone t1 t2 d => monotone_piece (Q2R t1) (Q2R t2) d | Fold t1 t2 => fold_piece (Q2R t1) (Q2R t2)
   | Hinge t1 t2 => hinge_piece (Q2R t1) (Q2R t2) | Right T v => right_piece (Q2R T) v
   end.
 
-Definition real_column (c : block) : column := Column (real_edge (beta_from c)) (Q2R (beta_to c)) (cell_of c) (map real_piece (entries c)).
+Definition real_column (c : block) : column := Column (real_edge (beta_from c)) (Q2R (beta_to c)) (cell_of c)
+  (map real_piece (entries c)).
 
 Lemma real_ends p : piece_ends (real_piece p) = (real_edge (fst (ends_of p)), real_edge (snd (ends_of p))).
 Proof. destruct p; simpl; rewrite ?Q2R_0; reflexivity. Qed.
@@ -91,7 +99,8 @@ Proof. unfold real_parts. rewrite !map_map. apply map_ext, real_ends. Qed.
 
 Lemma block_in_cell_R c : block_in_cell c = true -> in_cell (real_column c).
 Proof.
-unfold block_in_cell, in_cell. cbn [real_column column_low column_high column_cell]. intros H. apply andb_prop in H. destruct H as [A B].
+unfold block_in_cell, in_cell. cbn [real_column column_low column_high column_cell]. intros H. apply andb_prop in H.
+destruct H as [A B].
 apply Qle_bool_R in A. rewrite Q2R_plus, Q2R_nat, Q2R_1 in A. split; auto. apply orb_prop in B. destruct B as [B|B].
 - left. apply Nat.eqb_eq, B.
 - right. apply edge_le_R in B. cbn [real_edge] in B. rewrite Q2R_nat in B. exact B.
@@ -120,12 +129,15 @@ Proof. induction n as [|n IH]; cbn [natural_power pow]. apply Q2R_1. rewrite Q2R
 
 Lemma far_left_R c X : far_left c X = true -> Q2R X < 0 /\ Rbar_le 0 (column_low (real_column c)) /\
   let N := S ((column_cell (real_column c) - 1) / 3) in
-  let factor i := Rmax (Rabs (real (column_low (real_column c)) - 1 - INR i)) (Rabs (column_high (real_column c) - 1 - INR i)) in
+  let factor i := Rmax (Rabs (real (column_low (real_column c)) - 1 - INR i))
+    (Rabs (column_high (real_column c) - 1 - INR i)) in
   fold_right Rmult 1 (map factor (seq 0 (3 * N))) < (- Q2R X) ^ (3 * N) * 3 ^ N * INR (fact N).
 Proof.
-unfold far_left, real_column. cbn [column_low column_high column_cell]. destruct (beta_from c) as [|low|]; try discriminate.
+unfold far_left, real_column. cbn [column_low column_high column_cell].
+destruct (beta_from c) as [|low|]; try discriminate.
 intros H. apply andb_prop in H. destruct H as [H H2]. apply andb_prop in H. destruct H as [H0 H1].
 apply less_R in H0. apply Qle_bool_R in H1. apply less_R in H2. rewrite Q2R_0 in H0, H1. cbn [real_edge real].
 set (N := S ((cell_of c - 1) / 3)) in *. split; auto. split; [exact H1|]. cbv zeta.
-rewrite factors_R, !Q2R_mult, !natural_power_R, Q2R_opp, Q2R_nat in H2. replace (Q2R 3) with 3 in H2 by (unfold Q2R; simpl; field). exact H2.
+rewrite factors_R, !Q2R_mult, !natural_power_R, Q2R_opp, Q2R_nat in H2.
+replace (Q2R 3) with 3 in H2 by (unfold Q2R; simpl; field). exact H2.
 Qed.

@@ -1,10 +1,12 @@
 (** * A certificate of the number of zeros by the count law alone
 
-    [counted] looks at the claim, not at the pieces: the count law gives the number for every beta that is not an integer ([counted_is_true]). *)
+    [counted] looks at the claim, not at the pieces: the count law gives the number for every beta that is not an
+    integer ([counted_is_true]). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith QArith Qround Qreals List Bool.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCertificate CertificatePieces CertificateText CheckerCertificate CheckerEnclosure StatementChecker
+From GSpot Require Import Statement StatementCertificate CertificatePieces CertificateText CheckerCertificate
+  CheckerEnclosure StatementChecker
   CheckerComparisons EntireForm CountLaw.
 Import ListNotations.
 Open Scope R_scope.

@@ -1,7 +1,8 @@
 (** * What the checker computes about one solution is right
 
-    b = (centre + radius eta)/unit and weights rho are fixed. From models of f, f', f'' at a point follow models of the Taylor coefficients there; by the tail
-    lemma their sum is a model of f at the next point, and the sign of the first one, if it exceeds all others, is that of f on the box. *)
+    b = (centre + radius eta)/unit and weights rho are fixed. From models of f, f', f'' at a point follow models of the
+    Taylor coefficients there; by the tail lemma their sum is a model of f at the next point, and the sign of the first
+    one, if it exceeds all others, is that of f on the box. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith QArith Qabs Qreals List Bool.
 From Coquelicot Require Import Coquelicot.
@@ -24,7 +25,8 @@ Proof. rewrite Q2R_div; [|discriminate]. replace (Q2R 2) with 2; [reflexivity|].
 Lemma Q2R_Qabs q : Q2R (Qabs q) = Rabs (Q2R q).
 Proof.
 destruct (Qlt_le_dec q 0) as [H|H].
-- rewrite (Qeq_eqR _ _ (Qabs_neg q (Qlt_le_weak _ _ H))), Q2R_opp. apply Qlt_Rlt in H. rewrite Rabs_left; [reflexivity|].
+- rewrite (Qeq_eqR _ _ (Qabs_neg q (Qlt_le_weak _ _ H))), Q2R_opp. apply Qlt_Rlt in H.
+  rewrite Rabs_left; [reflexivity|].
   replace (Q2R 0) with 0 in H by (unfold Q2R; simpl; field). lra.
 - rewrite (Qeq_eqR _ _ (Qabs_pos q H)). apply Qle_Rle in H. rewrite Rabs_pos_eq; [reflexivity|].
   replace (Q2R 0) with 0 in H by (unfold Q2R; simpl; field). lra.
@@ -37,7 +39,8 @@ apply Rinv_0_lt_compat. apply IZR_lt. reflexivity.
 Qed.
 
 Lemma sum_first_head (v : nat -> R) n : sum_first v (S n) = v 0%nat + sum_first (fun i => v (S i)) n.
-Proof. induction n as [|n IH]. simpl. ring. change (sum_first v (S (S n))) with (sum_first v (S n) + v (S n)). rewrite IH. simpl. ring. Qed.
+Proof. induction n as [|n IH]. simpl. ring. change (sum_first v (S (S n))) with (sum_first v (S n) + v (S n)).
+rewrite IH. simpl. ring. Qed.
 
 Lemma sum_first_mono (v v' : nat -> R) n : (forall k, v k <= v' k) -> sum_first v n <= sum_first v' n.
 Proof. intros H. induction n as [|n IH]; simpl. lra. assert (A := H n). lra. Qed.
@@ -58,14 +61,16 @@ Let holds := CheckerModels.holds eta rho.
 Lemma unit_pos : 0 < IZR (b_unit g).
 Proof. apply IZR_lt; auto. Qed.
 
-Lemma holds_minus_b i factor m y : holds m y -> holds (minus_b g i factor m) (IZR factor * IZR (b_unit g) * (IZR i - b) * y).
+Lemma holds_minus_b i factor m y : holds m y ->
+  holds (minus_b g i factor m) (IZR factor * IZR (b_unit g) * (IZR i - b) * y).
 Proof.
 intros H. unfold minus_b.
 replace (IZR factor * IZR (b_unit g) * (IZR i - b) * y)
   with ((IZR (factor * (i * b_unit g - b_centre g)) + IZR (- (factor * b_radius g)) * eta) * y).
 - apply holds_linear; auto.
 - rewrite opp_IZR, !mult_IZR, minus_IZR, mult_IZR.
-  replace (IZR factor * IZR (b_unit g) * (IZR i - b) * y) with (IZR factor * (IZR i * IZR (b_unit g) - IZR (b_unit g) * b) * y) by ring.
+  replace (IZR factor * IZR (b_unit g) * (IZR i - b) * y)
+    with (IZR factor * (IZR i * IZR (b_unit g) - IZR (b_unit g) * b) * y) by ring.
   rewrite Hb. ring.
 Qed.
 
@@ -102,7 +107,8 @@ induction l as [|m l IH]; intros k H.
 Qed.
 
 Lemma list_holds_norms a u : Rabs u <= 1 -> forall l k, list_holds l a k ->
-  Rabs (sum_first (fun i => a (k + i)%nat * u ^ (k + i)) (length l)) <= IZR (fold_right (fun a s => model_norm a + s)%Z 0%Z l).
+  Rabs (sum_first (fun i => a (k + i)%nat * u ^ (k + i)) (length l)) <= IZR
+    (fold_right (fun a s => model_norm a + s)%Z 0%Z l).
 Proof.
 intros Hu. assert (P : forall n, Rabs (u ^ n) <= 1).
 { intros n. rewrite <- RPow_abs. rewrite <- (pow1 n). apply pow_incr. split; auto using Rabs_pos. }
@@ -110,8 +116,10 @@ induction l as [|m l IH]; intros k H.
 - simpl. rewrite Rabs_R0. lra.
 - cbn [fold_right length]. rewrite sum_first_head, Nat.add_0_r, plus_IZR. apply Rabs_plus_le.
   + rewrite Rmult_comm. apply times_at_most_one; auto. apply (holds_norm eta Heta rho Hrho), H.
-  + assert (E : sum_first (fun i => a (k + S i)%nat * u ^ (k + S i)) (length l) = sum_first (fun i => a (S k + i)%nat * u ^ (S k + i)) (length l)).
-    { clear. induction (length l) as [|n IH]; simpl sum_first; [reflexivity|]. rewrite IH. replace (k + S n)%nat with (S k + n)%nat by lia. reflexivity. }
+  + assert (E : sum_first (fun i => a (k + S i)%nat * u ^ (k + S i)) (length l) = sum_first (fun i =>
+      a (S k + i)%nat * u ^ (S k + i)) (length l)).
+    { clear. induction (length l) as [|n IH]; simpl sum_first; [reflexivity|]. rewrite IH.
+      replace (k + S n)%nat with (S k + n)%nat by lia. reflexivity. }
     rewrite E. apply IH, H.
 Qed.
 
@@ -136,23 +144,28 @@ Hypothesis Hc : recurrence b (Q2R t) c.
 Lemma step_right : (0 < common e)%Z /\ IZR (square e) = IZR (common e) * (Q2R t * Q2R s ^ 2) /\
   IZR (cube e) * IZR (b_unit g) = IZR (common e) * Q2R s ^ 3.
 Proof.
-unfold step_is_right in He. destruct (common e) as [|d|d]; try discriminate. apply andb_prop in He. destruct He as [E1 E2].
+unfold step_is_right in He. destruct (common e) as [|d|d]; try discriminate. apply andb_prop in He.
+destruct He as [E1 E2].
 apply Qeq_bool_eq, Qeq_eqR in E1. apply Qeq_bool_eq, Qeq_eqR in E2. assert (U := unit_pos).
 assert (D : 0 < IZR (Zpos d)) by (apply IZR_lt; reflexivity).
 rewrite Q2R_fraction, !Q2R_mult in E1.
 rewrite Q2R_fraction, Q2R_div, !Q2R_mult, Q2R_whole in E2.
-2: { intros Z. apply Qeq_eqR in Z. rewrite Q2R_whole in Z. replace (Q2R 0) with 0 in Z by (unfold Q2R; simpl; field). lra. }
+2: { intros Z. apply Qeq_eqR in Z. rewrite Q2R_whole in Z. replace (Q2R 0) with 0 in Z by (unfold Q2R; simpl; field).
+     lra. }
 split; [reflexivity|]. split.
 - replace (IZR (square e)) with (IZR (square e) / IZR (Zpos d) * IZR (Zpos d)) by (field; lra). rewrite E1. ring.
-- replace (IZR (cube e) * IZR (b_unit g)) with (IZR (cube e) / IZR (Zpos d) * IZR (Zpos d) * IZR (b_unit g)) by (field; lra). rewrite E2. field. lra.
+- replace (IZR (cube e) * IZR (b_unit g)) with (IZR (cube e) / IZR (Zpos d) * IZR (Zpos d) * IZR (b_unit g))
+    by (field; lra). rewrite E2. field. lra.
 Qed.
 
 Let a k := c k * Q2R s ^ k.
 
-Lemma holds_next k m0 m1 : holds m0 (a k) -> holds m1 (a (S k)) -> holds (next_coefficient g e (Z.of_nat k) m0 m1) (a (S (S (S k)))).
+Lemma holds_next k m0 m1 : holds m0 (a k) -> holds m1 (a (S k)) -> holds (next_coefficient g e (Z.of_nat k) m0 m1)
+  (a (S (S (S k)))).
 Proof.
 intros H0 H1. destruct step_right as (D & E1 & E2). assert (Dr : 0 < IZR (common e)) by (apply IZR_lt; auto).
-unfold next_coefficient. set (z := Z.of_nat k) in *. assert (Ez : IZR z = INR k) by (unfold z; symmetry; apply INR_IZR_INZ).
+unfold next_coefficient. set (z := Z.of_nat k) in *.
+assert (Ez : IZR z = INR k) by (unfold z; symmetry; apply INR_IZR_INZ).
 assert (Hk := pos_INR k).
 replace (a (S (S (S k)))) with ((IZR (square e * (z + 1)) * a (S k) + IZR (cube e) * IZR (b_unit g) * (IZR z - b) * a k)
   / IZR (common e * ((z + 1) * (z + 2) * (z + 3)))).
@@ -168,12 +181,14 @@ replace (a (S (S (S k)))) with ((IZR (square e * (z + 1)) * a (S k) + IZR (cube 
   + rewrite <- R. simpl. ring.
 Qed.
 
-Lemma coefficients_hold fuel small : forall k m0 m1 m2, holds m0 (a k) -> holds m1 (a (S k)) -> holds m2 (a (S (S k))) ->
+Lemma coefficients_hold fuel small : forall k m0 m1 m2, holds m0 (a k) -> holds m1 (a (S k)) ->
+  holds m2 (a (S (S k))) ->
   list_holds (coefficients fuel g e small (Z.of_nat k) m0 m1 m2) a k.
 Proof.
 induction fuel as [|fuel IH]; intros k m0 m1 m2 H0 H1 H2; cbn [coefficients].
 - repeat split; auto.
-- destruct ((model_norm m0 <=? small) && (model_norm m1 <=? small) && (model_norm m2 <=? small))%Z; [repeat split; auto|].
+- destruct ((model_norm m0 <=? small) && (model_norm m1 <=? small) && (model_norm m2 <=? small))%Z;
+    [repeat split; auto|].
   split; auto. replace (Z.of_nat k + 1)%Z with (Z.of_nat (S k)) by lia. apply IH; auto. apply holds_next; auto.
 Qed.
 End AtPoint.
@@ -211,15 +226,18 @@ assert (Mu : mu <= IZR (fold_right (fun a m => Z.max (model_norm a) m) 0%Z (skip
 { assert (Hk := list_holds_skipn _ I l 0 Hl). cbn [Nat.add] in Hk. assert (L := skipn_length I l). fold n in L.
   destruct (skipn I l) as [|m0 [|m1 [|m2 [|]]]]; simpl in L; try lia. destruct Hk as (K0 & K1 & K2 & _).
   assert (Sz : forall k m, holds m (c k * S ^ k) -> size S c k <= IZR (model_norm m)).
-  { intros k m K. apply (holds_norm eta Heta rho Hrho) in K. unfold size. rewrite Rabs_mult, (Rabs_pos_eq (S ^ k)) in K by (apply pow_le; lra). exact K. }
-  cbn [fold_right]. unfold mu. replace (I + 1)%nat with (Datatypes.S I) by lia. replace (I + 2)%nat with (Datatypes.S (Datatypes.S I)) by lia.
+  { intros k m K. apply (holds_norm eta Heta rho Hrho) in K. unfold size.
+    rewrite Rabs_mult, (Rabs_pos_eq (S ^ k)) in K by (apply pow_le; lra). exact K. }
+  cbn [fold_right]. unfold mu. replace (I + 1)%nat with (Datatypes.S I) by lia.
+  replace (I + 2)%nat with (Datatypes.S (Datatypes.S I)) by lia.
   assert (M : forall x y z, x <= IZR y -> x <= IZR (Z.max y z)).
   { intros x y z H. eapply Rle_trans; [exact H|]. apply IZR_le. lia. }
   assert (M' : forall x y z, x <= IZR z -> x <= IZR (Z.max y z)).
   { intros x y z H. eapply Rle_trans; [exact H|]. apply IZR_le. lia. }
   apply Rmax_lub; [apply M, Sz, K0|]. apply M'. apply Rmax_lub; [apply M, Sz, K1|apply M', M, Sz, K2]. }
 assert (Mu0 : 0 <= mu) by (eapply Rle_trans; [apply (size_pos S c Hs I)|apply Rmax_l]).
-assert (Ser := solution_series beta T c Hc f f1 f2 Hf (proj1 Hstart) (proj1 (proj2 Hstart)) (proj2 (proj2 Hstart)) (T + u * S)).
+assert (Ser := solution_series beta T c Hc f f1 f2 Hf (proj1 Hstart) (proj1 (proj2 Hstart)) (proj2 (proj2 Hstart))
+  (T + u * S)).
 replace (T + u * S - T) with (u * S) in Ser by ring.
 assert (Eq : sum_first (fun k => c k * S ^ k * u ^ k) n = sum_first (fun k => c k * (u * S) ^ k) n).
 { clear. induction n as [|n IH]; simpl sum_first; [reflexivity|]. rewrite IH, Rpow_mult_distr. ring. }
@@ -227,7 +245,8 @@ rewrite Eq. apply (rest_of_series c (u * S)); auto. intros N.
 apply Rle_trans with (3 * mu).
 - apply Rle_trans with (3 * mu * q / (1 - q)).
   + eapply Rle_trans; [|apply (Tail N)]. rewrite En. apply sum_first_mono. intros k. unfold size.
-    rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. rewrite <- RPow_abs. apply pow_incr. split; [apply Rabs_pos|].
+    rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. rewrite <- RPow_abs. apply pow_incr.
+    split; [apply Rabs_pos|].
     rewrite Rabs_mult, (Rabs_pos_eq S) by lra. rewrite <- (Rmult_1_l S) at 2. apply Rmult_le_compat_r; auto. lra.
   + apply Rmult_le_reg_r with (1 - q); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. rewrite Rmult_1_r.
     apply Rmult_le_compat_l; lra.
@@ -240,7 +259,8 @@ unfold total. rewrite Hsmall. intros E. injection E as <-.
 assert (T := tail_bounded 1 ltac:(rewrite Rabs_R1; lra)). rewrite Rmult_1_l in T.
 assert (Sum := list_holds_sum _ l 0 Hl). cbn [Nat.add] in Sum.
 apply (holds_wider eta rho _ _ _ _ Sum).
-replace (sum_first (fun i => c i * Q2R s ^ i) (length l)) with (sum_first (fun k => c k * Q2R s ^ k * 1 ^ k) (length l)); [exact T|].
+replace (sum_first (fun i => c i * Q2R s ^ i) (length l)) with (sum_first (fun k => c k * Q2R s ^ k * 1 ^ k)
+  (length l)); [exact T|].
 clear. induction (length l) as [|n IH]; simpl sum_first; [reflexivity|]. rewrite IH, pow1. ring.
 Qed.
 
@@ -269,21 +289,25 @@ Proof. generalize (Rabs_pos b). lra. Qed.
 
 Lemma most_1 : 1 <= IZR (b_most g) /\ Rabs (b - 1) <= IZR (b_most g).
 Proof.
-replace (b - 1) with (b + -1) by ring. generalize (Rabs_pos b) (Rabs_triang b (-1)). replace (Rabs (-1)) with 1 by (rewrite Rabs_left; lra). lra.
+replace (b - 1) with (b + -1) by ring. generalize (Rabs_pos b) (Rabs_triang b (-1)).
+replace (Rabs (-1)) with 1 by (rewrite Rabs_left; lra). lra.
 Qed.
 
 Lemma most_2 : 1 <= IZR (b_most g) /\ Rabs (b - 1 - 1) <= IZR (b_most g).
 Proof.
-replace (b - 1 - 1) with (b + -2) by ring. generalize (Rabs_pos b) (Rabs_triang b (-2)). replace (Rabs (-2)) with 2 by (rewrite Rabs_left; lra). lra.
+replace (b - 1 - 1) with (b + -2) by ring. generalize (Rabs_pos b) (Rabs_triang b (-2)).
+replace (Rabs (-2)) with 2 by (rewrite Rabs_left; lra). lra.
 Qed.
 
 Definition state_holds (st : state) : Prop := 0 < Q2R (scale st) /\ holds (value0 st) (f (Q2R (point st))) /\
-  holds (value1 st) (Q2R (scale st) * f1 (Q2R (point st))) /\ holds (value2 st) (Q2R (scale st) ^ 2 * f2 (Q2R (point st))).
+  holds (value1 st) (Q2R (scale st) * f1 (Q2R (point st))) /\
+    holds (value2 st) (Q2R (scale st) ^ 2 * f2 (Q2R (point st))).
 
 (** The coefficients at a point. *)
 Definition coefficients_at (T : R) : nat -> R := from_values b T (f T) (f1 T) (f2 T / 2).
 
-Lemma coefficients_at_start T : coefficients_at T 0%nat = f T /\ coefficients_at T 1%nat = f1 T /\ 2 * coefficients_at T 2%nat = f2 T.
+Lemma coefficients_at_start T : coefficients_at T 0%nat = f T /\ coefficients_at T 1%nat = f1 T /\
+  2 * coefficients_at T 2%nat = f2 T.
 Proof. unfold coefficients_at, from_values. simpl. repeat split. field. Qed.
 
 Lemma expand_right w st s l : state_holds st -> 0 < Q2R s -> expand g w st s = Some l ->
@@ -292,26 +316,32 @@ Proof.
 intros (Hsc & H0 & H1 & H2) Hs E. unfold expand in E.
 destruct (step_is_right g (point st) s (step_of g (point st) s)) eqn:Er; [|discriminate]. cbn [andb] in E.
 set (r := Qred (s / scale st)) in *.
-destruct (Qle_bool (scale st * r) s) eqn:E1; [|discriminate]. destruct (Qle_bool s (scale st * r)) eqn:E2; [|discriminate].
+destruct (Qle_bool (scale st * r) s) eqn:E1; [|discriminate].
+destruct (Qle_bool s (scale st * r)) eqn:E2; [|discriminate].
 cbn [andb] in E. injection E as <-.
 apply Qle_bool_iff, Qle_Rle in E1. apply Qle_bool_iff, Qle_Rle in E2. rewrite Q2R_mult in E1, E2.
 assert (Es : Q2R s = Q2R (scale st) * Q2R r) by lra.
 destruct (coefficients_at_start (Q2R (point st))) as (C0 & C1 & C2).
-apply (coefficients_hold (point st) s (step_of g (point st) s) (coefficients_at (Q2R (point st))) Er (from_values_recurrence _ _ _ _ _) (longest w) (small_enough w) 0).
+apply (coefficients_hold (point st) s (step_of g (point st) s) (coefficients_at (Q2R (point st))) Er
+  (from_values_recurrence _ _ _ _ _) (longest w) (small_enough w) 0).
 - rewrite C0. simpl. rewrite Rmult_1_r. exact H0.
-- rewrite C1. replace (f1 (Q2R (point st)) * Q2R s ^ 1) with (Q2R r * (Q2R (scale st) * f1 (Q2R (point st)))) by (rewrite Es; ring).
+- rewrite C1. replace (f1 (Q2R (point st)) * Q2R s ^ 1) with (Q2R r * (Q2R (scale st) * f1 (Q2R (point st))))
+    by (rewrite Es; ring).
   apply holds_multiple, H1.
-- replace (coefficients_at (Q2R (point st)) 2 * Q2R s ^ 2) with (Q2R (Qred (r * r / 2)) * (Q2R (scale st) ^ 2 * f2 (Q2R (point st)))).
+- replace (coefficients_at (Q2R (point st)) 2 * Q2R s ^ 2)
+    with (Q2R (Qred (r * r / 2)) * (Q2R (scale st) ^ 2 * f2 (Q2R (point st)))).
   + apply holds_multiple, H2.
   + rewrite Q2R_red, Q2R_halved, Q2R_mult, <- C2, Es. field.
 Qed.
 
 (** The slope of the expansion: s f' with b - 1, s^2 f'' with b - 2. *)
-Lemma slope_expansion beta T s c y y1 y2 l : solves beta y y1 y2 -> recurrence beta T c -> c 0%nat = y T /\ c 1%nat = y1 T /\ 2 * c 2%nat = y2 T ->
+Lemma slope_expansion beta T s c y y1 y2 l : solves beta y y1 y2 -> recurrence beta T c -> c 0%nat = y T /\
+  c 1%nat = y1 T /\ 2 * c 2%nat = y2 T ->
   list_holds l (fun k => c k * s ^ k) 0 ->
   let y3 t := t * y1 t - beta * y t in let c' k := s * ((INR k + 1) * c (S k)) in
   solves (beta - 1) (fun t => s * y1 t) (fun t => s * y2 t) (fun t => s * y3 t) /\ recurrence (beta - 1) T c' /\
-  (c' 0%nat = s * y1 T /\ c' 1%nat = s * y2 T /\ 2 * c' 2%nat = s * y3 T) /\ list_holds (slopes l) (fun k => c' k * s ^ k) 0.
+  (c' 0%nat = s * y1 T /\ c' 1%nat = s * y2 T /\ 2 * c' 2%nat = s * y3 T) /\ list_holds (slopes l) (fun k =>
+    c' k * s ^ k) 0.
 Proof.
 intros Hy R (C0 & C1 & C2) Hl y3 c'. split; [|split; [|split]].
 - apply (solves_scal _ y1 y2 y3), solves_slope, Hy.
@@ -325,8 +355,10 @@ intros Hy R (C0 & C1 & C2) Hl y3 c'. split; [|split; [|split]].
   + rewrite <- C0, <- C1. apply (f_equal (Rmult s)) in R0. lra.
 - assert (S' := slopes_hold _ l Hl).
   assert (Ext : forall l a a' k, (forall n, a n = a' n) -> list_holds l a k -> list_holds l a' k).
-  { clear. induction l as [|m l IH]; intros a a' k H Hl; [exact I|]. destruct Hl as [H1 H2]. split; [rewrite <- H; exact H1|]. apply (IH a); auto. }
-  apply (Ext (slopes l) (fun n => (INR n + 1) * (c (S n) * s ^ S n)) _ 0%nat); auto. intros n. unfold c'. cbn [pow]. ring.
+  { clear. induction l as [|m l IH]; intros a a' k H Hl; [exact I|]. destruct Hl as [H1 H2].
+    split; [rewrite <- H; exact H1|]. apply (IH a); auto. }
+  apply (Ext (slopes l) (fun n => (INR n + 1) * (c (S n) * s ^ S n)) _ 0%nat); auto. intros n. unfold c'. cbn [pow].
+  ring.
 Qed.
 
 Lemma total_small t s l m : total g t s l = Some m -> tail_is_small (b_most g) t s (length l) = true.
@@ -353,10 +385,12 @@ assert (C0 := coefficients_at_start T).
 destruct (slope_expansion b T (Q2R s) _ f f1 f2 l Hf R0 C0 Hl) as (F1 & R1 & C1 & L1).
 destruct (slope_expansion (b - 1) T (Q2R s) _ _ _ _ (slopes l) F1 R1 C1 L1) as (F2 & R2 & C2 & L2).
 assert (Ep : Q2R (Qred (point st + s)) = T + Q2R s) by (rewrite Q2R_red, Q2R_plus; reflexivity).
-split; [|exact Ep]. unfold state_holds. cbn [point scale value0 value1 value2]. rewrite Ep. split; auto. split; [|split]; apply holds_rounded.
+split; [|exact Ep]. unfold state_holds. cbn [point scale value0 value1 value2]. rewrite Ep. split; auto.
+split; [|split]; apply holds_rounded.
 - apply (total_right b (point st) s f f1 f2 (coefficients_at T) l most_0 Hp Hf R0 C0 Hl (total_small _ _ _ _ E0) v0 E0).
 - apply (total_right (b - 1) (point st) s _ _ _ _ (slopes l) most_1 Hp F1 R1 C1 L1 (total_small _ _ _ _ E1) v1 E1).
-- assert (H := total_right (b - 1 - 1) (point st) s _ _ _ _ (slopes (slopes l)) most_2 Hp F2 R2 C2 L2 (total_small _ _ _ _ E2) v2 E2).
+- assert (H := total_right (b - 1 - 1) (point st) s _ _ _ _ (slopes (slopes l)) most_2 Hp F2 R2 C2 L2
+    (total_small _ _ _ _ E2) v2 E2).
   cbv beta in H. replace (Q2R s ^ 2 * f2 (T + Q2R s)) with (Q2R s * (Q2R s * f2 (T + Q2R s))) by ring. exact H.
 Qed.
 
@@ -384,7 +418,8 @@ assert (R0 := from_values_recurrence b T (f T) (f1 T) (f2 T / 2)). fold (coeffic
 assert (C0 := coefficients_at_start T). unfold of_order. destruct (Nat.eqb order 0).
 - apply (sign_on_right b (point st) half f f1 f2 _ l most_0 Hh Hf R0 C0 Hl (sign_on_small _ _ _ _ Es) s0 u Es Hu).
 - destruct (slope_expansion b T (Q2R half) _ f f1 f2 l Hf R0 C0 Hl) as (F1 & R1 & C1 & L1).
-  assert (H := sign_on_right (b - 1) (point st) half _ _ _ _ (slopes l) most_1 Hh F1 R1 C1 L1 (sign_on_small _ _ _ _ Es) s0 u Es Hu).
+  assert (H := sign_on_right (b - 1) (point st) half _ _ _ _ (slopes l) most_1 Hh F1 R1 C1 L1 (sign_on_small _ _ _ _ Es)
+    s0 u Es Hu).
   cbv beta in H. fold T in H. destruct s0; simpl in *.
   + apply Rmult_lt_reg_l with (Q2R half); auto. lra.
   + apply Rmult_lt_reg_l with (Q2R half); auto. lra.
@@ -395,14 +430,17 @@ Proof.
 intros E. unfold sign_on, tail_is_small. apply eqR_Qeq in E.
 replace (Qle_bool (2 * (Qabs t * s * s * (inject_Z (Z.of_nat (length l) - 3) + 1)
       + (inject_Z (Z.of_nat (length l) - 3) + inject_Z (b_most g)) * s * s * s))
-    ((inject_Z (Z.of_nat (length l) - 3) + 1) * (inject_Z (Z.of_nat (length l) - 3) + 2) * (inject_Z (Z.of_nat (length l) - 3) + 3)))
+    ((inject_Z (Z.of_nat (length l) - 3) + 1) * (inject_Z (Z.of_nat (length l) - 3) + 2)
+      * (inject_Z (Z.of_nat (length l) - 3) + 3)))
   with (Qle_bool (2 * (Qabs t' * s * s * (inject_Z (Z.of_nat (length l) - 3) + 1)
       + (inject_Z (Z.of_nat (length l) - 3) + inject_Z (b_most g)) * s * s * s))
-    ((inject_Z (Z.of_nat (length l) - 3) + 1) * (inject_Z (Z.of_nat (length l) - 3) + 2) * (inject_Z (Z.of_nat (length l) - 3) + 3))); [reflexivity|].
+    ((inject_Z (Z.of_nat (length l) - 3) + 1) * (inject_Z (Z.of_nat (length l) - 3) + 2)
+      * (inject_Z (Z.of_nat (length l) - 3) + 3))); [reflexivity|].
 apply Qleb_comp; [|reflexivity]. rewrite E. reflexivity.
 Qed.
 
-Lemma has_sign_right w order s0 : forall cuts t1 t2 st st', state_holds st -> has_sign cuts g w order s0 t1 t2 st = Some st' ->
+Lemma has_sign_right w order s0 : forall cuts t1 t2 st st', state_holds st -> has_sign cuts g w order s0 t1 t2 st
+  = Some st' ->
   state_holds st' /\ forall t, Q2R t1 <= t <= Q2R t2 -> 0 < signed s0 (of_order order t).
 Proof.
 assert (Direct : forall t1 t2 st st', state_holds st ->
@@ -423,7 +461,8 @@ assert (Direct : forall t1 t2 st st', state_holds st ->
    else None) = Some st' ->
   state_holds st' /\ forall t, Q2R t1 <= t <= Q2R t2 -> 0 < signed s0 (of_order order t)).
 { intros t1 t2 st st' Hst. cbv zeta. set (middle := Qred ((t1 + t2) / 2)). set (half := Qred ((t2 - t1) / 2)).
-  assert (Em : Q2R middle = (Q2R t1 + Q2R t2) / 2) by (unfold middle; rewrite Q2R_red, Q2R_halved, Q2R_plus; reflexivity).
+  assert (Em : Q2R middle = (Q2R t1 + Q2R t2) / 2) by (unfold middle; rewrite Q2R_red, Q2R_halved, Q2R_plus;
+    reflexivity).
   assert (Eh : Q2R half = (Q2R t2 - Q2R t1) / 2) by (unfold half; rewrite Q2R_red, Q2R_halved, Q2R_minus; reflexivity).
   destruct (is_positive half) eqn:Hp; [|discriminate]. apply positive_R in Hp.
   destruct (advance (most_steps w) g w middle st) as [st1|] eqn:Ea; [|discriminate].
@@ -438,7 +477,8 @@ assert (Direct : forall t1 t2 st st', state_holds st ->
   apply Rmult_le_reg_r with (Q2R half); auto. rewrite Rmult_assoc, Rinv_l, Rmult_1_r, Rmult_1_l by lra.
   apply Rabs_le. lra. }
 induction cuts as [|cuts IH]; intros t1 t2 st st' Hst E; cbn [has_sign] in E.
-- match type of E with match ?d with Some _ => _ | None => _ end = _ => destruct d as [st1|] eqn:Ed; [|discriminate] end.
+- match type of E with match ?d with Some _ => _ | None => _ end = _ => destruct d as [st1|] eqn:Ed;
+    [|discriminate] end.
   injection E as <-. apply (Direct t1 t2 st st1); auto.
 - match type of E with match ?d with Some _ => _ | None => _ end = _ => destruct d as [st1|] eqn:Ed end.
   + injection E as <-. apply (Direct t1 t2 st st1); auto.

@@ -1,6 +1,7 @@
 (** * The arithmetic of the checker is right
 
-    [holds m y]: the number y is the value of the model m up to its error. Each operation of [Checker.v] on models keeps this. *)
+    [holds m y]: the number y is the value of the model m up to its error. Each operation of [Checker.v] on models keeps
+    this. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Bool.
 From Coquelicot Require Import Coquelicot.
@@ -59,7 +60,8 @@ revert p. induction n as [|n IH]; intros [|a p].
 - simpl. rewrite Rminus_0_r, Rabs_R0. lra.
 - cbn [firstn skipn]. change (value []) with 0. rewrite Rminus_0_r. apply value_norm.
 - simpl. rewrite Rminus_0_r, Rabs_R0. lra.
-- simpl. replace (IZR a + eta * value p - (IZR a + eta * value (firstn n p))) with (eta * (value p - value (firstn n p))) by ring.
+- simpl. replace (IZR a + eta * value p - (IZR a + eta * value (firstn n p)))
+    with (eta * (value p - value (firstn n p))) by ring.
   apply times_at_most_one; auto.
 Qed.
 
@@ -69,7 +71,8 @@ Proof.
 intros Hd. assert (D : 0 < IZR d) by (apply IZR_lt; auto).
 assert (M := Z.mod_pos_bound z d Hd). assert (E := Z.div_mod z d ltac:(lia)).
 assert (E' : IZR z = IZR d * IZR (z / d) + IZR (z mod d)) by (rewrite <- mult_IZR, <- plus_IZR, <- E; reflexivity).
-rewrite E'. replace ((IZR d * IZR (z / d) + IZR (z mod d)) / IZR d - IZR (z / d)) with (IZR (z mod d) / IZR d) by (field; lra).
+rewrite E'. replace ((IZR d * IZR (z / d) + IZR (z mod d)) / IZR d - IZR (z / d)) with (IZR (z mod d) / IZR d)
+  by (field; lra).
 destruct M as [M1 M2]. apply IZR_le in M1. apply IZR_lt in M2.
 rewrite Rabs_pos_eq.
 - apply Rmult_le_reg_r with (IZR d); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
@@ -101,11 +104,13 @@ Qed.
 Lemma combined_times n p : forall rho, combined rho (map (poly_times n) p) = IZR n * combined rho p.
 Proof. induction p as [|a p IH]; intros rho; simpl. ring. rewrite IH, value_times. ring. Qed.
 
-Lemma combined_linear n r p : forall rho, combined rho (map (poly_linear n r) p) = (IZR n + IZR r * eta) * combined rho p.
+Lemma combined_linear n r p : forall rho, combined rho (map (poly_linear n r) p) = (IZR n + IZR r * eta)
+  * combined rho p.
 Proof. induction p as [|a p IH]; intros rho; simpl. ring. rewrite IH, value_linear. ring. Qed.
 
 Lemma parts_norm_pos p : (0 <= parts_norm p)%Z.
-Proof. induction p as [|a p IH]. simpl; lia. assert (H := poly_norm_pos a). change (0 <= poly_norm a + parts_norm p)%Z. lia. Qed.
+Proof. induction p as [|a p IH]. simpl; lia. assert (H := poly_norm_pos a). change (0 <= poly_norm a + parts_norm p)%Z.
+lia. Qed.
 
 Lemma combined_norm p : forall rho, weights rho -> Rabs (combined rho p) <= IZR (parts_norm p).
 Proof.
@@ -120,7 +125,8 @@ Proof.
 intros Hd. assert (D : 0 < IZR d) by (apply IZR_lt; auto).
 assert (Z0 : 0 / IZR d = 0) by (unfold Rdiv; ring).
 assert (None_kept : forall p rho, weights rho -> Rabs (combined rho p / IZR d - 0) <= IZR (parts_norm p) / IZR d + 0).
-{ intros q rho Hr. rewrite Rminus_0_r, Rplus_0_r. unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ IZR d)) by (apply Rlt_le, Rinv_0_lt_compat, D).
+{ intros q rho Hr. rewrite Rminus_0_r, Rplus_0_r. unfold Rdiv.
+  rewrite Rabs_mult, (Rabs_pos_eq (/ IZR d)) by (apply Rlt_le, Rinv_0_lt_compat, D).
   apply Rmult_le_compat_r. apply Rlt_le, Rinv_0_lt_compat, D. apply combined_norm, Hr. }
 induction p as [|a p IH]; intros rho degrees Hr.
 - destruct degrees; unfold dropped, parts_norm, count_coefficients; simpl; rewrite ?Z0, Rminus_0_r, Rabs_R0; lra.
@@ -163,14 +169,17 @@ Proof. unfold holds. simpl. rewrite Rminus_0_r, Rabs_R0. lra. Qed.
 
 Lemma holds_times n m y : holds m y -> holds (model_times n m) (IZR n * y).
 Proof.
-intros H. unfold holds, model_times in *. simpl. rewrite combined_times, mult_IZR, abs_IZR, <- Rmult_minus_distr_l, Rabs_mult.
+intros H. unfold holds, model_times in *. simpl.
+rewrite combined_times, mult_IZR, abs_IZR, <- Rmult_minus_distr_l, Rabs_mult.
 apply Rmult_le_compat_l; auto using Rabs_pos.
 Qed.
 
 Lemma holds_linear n r m y : holds m y -> holds (model_linear n r m) ((IZR n + IZR r * eta) * y).
 Proof.
-intros H. unfold holds, model_linear in *. simpl. rewrite combined_linear, mult_IZR, plus_IZR, !abs_IZR, <- Rmult_minus_distr_l, Rabs_mult.
-apply Rmult_le_compat; auto using Rabs_pos. apply Rabs_plus_le. lra. rewrite Rmult_comm. apply times_at_most_one; auto. lra.
+intros H. unfold holds, model_linear in *. simpl.
+rewrite combined_linear, mult_IZR, plus_IZR, !abs_IZR, <- Rmult_minus_distr_l, Rabs_mult.
+apply Rmult_le_compat; auto using Rabs_pos. apply Rabs_plus_le. lra. rewrite Rmult_comm. apply times_at_most_one; auto.
+lra.
 Qed.
 
 Lemma holds_shrink degrees d m y : (0 < d)%Z -> holds m y -> holds (shrink degrees d m) (y / IZR d).
@@ -180,13 +189,16 @@ assert (K := combined_kept d (parts m) Hd rho degrees Hrho).
 set (C := combined rho (parts m)) in *. set (C' := combined rho (kept d degrees (parts m))) in *.
 rewrite !plus_IZR.
 replace (y / IZR d - C') with (/ IZR d * (y - C) + (C / IZR d - C')) by (field; lra).
-set (e := error m) in *. set (r := dropped degrees (parts m)) in *. set (n := count_coefficients (kept d degrees (parts m))) in *.
+set (e := error m) in *. set (r := dropped degrees (parts m)) in *.
+set (n := count_coefficients (kept d degrees (parts m))) in *.
 assert (B : IZR (e + r) / IZR d <= IZR ((e + r) / d) + 1).
 { assert (Q := div_between (e + r) d Hd). apply Rabs_le_between in Q. lra. }
 apply Rle_trans with (IZR e / IZR d + (IZR r / IZR d + IZR n)).
-- apply Rabs_plus_le; auto. rewrite Rabs_mult, (Rabs_pos_eq (/ IZR d)) by (apply Rlt_le, Rinv_0_lt_compat, D). unfold Rdiv. rewrite Rmult_comm.
+- apply Rabs_plus_le; auto. rewrite Rabs_mult, (Rabs_pos_eq (/ IZR d)) by (apply Rlt_le, Rinv_0_lt_compat, D).
+  unfold Rdiv. rewrite Rmult_comm.
   apply Rmult_le_compat_r; auto. apply Rlt_le, Rinv_0_lt_compat, D.
-- rewrite plus_IZR in B. replace ((IZR e + IZR r) / IZR d) with (IZR e / IZR d + IZR r / IZR d) in B by (field; lra). lra.
+- rewrite plus_IZR in B. replace ((IZR e + IZR r) / IZR d) with (IZR e / IZR d + IZR r / IZR d) in B by (field; lra).
+  lra.
 Qed.
 
 Lemma holds_norm m y : holds m y -> Rabs y <= IZR (model_norm m).
@@ -202,7 +214,8 @@ intros H He. unfold holds in *. simpl. rewrite plus_IZR.
 replace (y' - combined rho (parts m)) with ((y - combined rho (parts m)) + (y' - y)) by ring. apply Rabs_plus_le; auto.
 Qed.
 
-Lemma sign_of_right rest m y y' s : rho 0%nat = 1 -> holds m y -> Rabs (y' - y) <= IZR rest -> sign_of rest m = Some s -> 0 < signed s y'.
+Lemma sign_of_right rest m y y' s : rho 0%nat = 1 -> holds m y -> Rabs (y' - y) <= IZR rest ->
+  sign_of rest m = Some s -> 0 < signed s y'.
 Proof.
 intros Hr0 H He Hs. unfold sign_of in Hs. unfold holds in H. destruct (parts m) as [|[|z a] p] eqn:E; try discriminate.
 cbn [combined value] in H. rewrite Hr0 in H.

@@ -1,11 +1,13 @@
 (** * The checker runs
 
-    On two files, by Coq's own virtual machine ([vm_compute], part of its kernel); the theorems then say what follows. And on certificates that are wrong: it must not accept them. *)
+    On two files, by Coq's own virtual machine ([vm_compute], part of its kernel); the theorems then say what follows.
+    And on certificates that are wrong: it must not accept them. *)
 
 From Coq Require Import String.
 From Coq Require Import Reals Psatz Lra Lia ZArith QArith Qreals List Bool.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCertificate CertificateText Checker CheckerCertificate CertificateIWC CertificateZeros StatementChecker
+From GSpot Require Import Statement StatementCertificate CertificateText Checker CheckerCertificate CertificateIWC
+  CertificateZeros StatementChecker
   CheckerEnclosure CheckerComparisons CheckerSound.
 Import ListNotations.
 Open Scope R_scope.
@@ -39,7 +41,8 @@ split; [|split; [exact zeros_1_2_accepted|split; [reflexivity|]]].
   destruct (accepted_is_true F _ _ HF zeros_1_2_accepted b) as (m & n & l & I & Hm & [Z0 Z] & L & S).
   + apply open_interval. unfold Q2R. simpl. lra.
   + exact Nb.
-  + destruct I as [E|[]]. injection E as <- <-. destruct l as [|z [|]]; try discriminate. exists z. split; [|apply S; left; reflexivity].
+  + destruct I as [E|[]]. injection E as <- <-. destruct l as [|z [|]]; try discriminate. exists z.
+    split; [|apply S; left; reflexivity].
     intros t. rewrite (Z t). simpl. split; [intros [E|[]]; auto|auto].
 Qed.
 
@@ -54,34 +57,42 @@ Definition one_column (beta_end : Q) (s : bool) (pieces : list entry) : certific
   Certificate (SignClaim whole_line (Interval (At 0) (At beta_end) false false) s) [Block (At 0) (1 # 4) pieces].
 
 Example one_column_is_accepted :
-  accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1) 0 true; Taylor]) = true.
+  accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1) 0 true; Taylor])
+    = true.
 Proof. vm_compute. reflexivity. Qed.
 
-Example a_wrong_sign : accepts one_plan (one_column (1 # 4) true [Left (-81 # 64); Sign (-81 # 64) (-1) false; Sign (-1) 0 false; Taylor]) = false.
+Example a_wrong_sign : accepts one_plan (one_column (1 # 4) true [Left (-81 # 64); Sign (-81 # 64) (-1) false;
+  Sign (-1) 0 false; Taylor]) = false.
 Proof. vm_compute. reflexivity. Qed.
 
 Example a_wrong_sign_of_one_piece :
-  accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1) 0 false; Taylor]) = false.
+  accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1) 0 false; Taylor])
+    = false.
 Proof. vm_compute. reflexivity. Qed.
 
 Example a_gap_between_pieces :
-  accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1 # 2) 0 true; Taylor]) = false.
+  accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1 # 2) 0 true; Taylor])
+    = false.
 Proof. vm_compute. reflexivity. Qed.
 
-Example not_the_whole_line : accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) 0 true]) = false.
+Example not_the_whole_line : accepts one_plan (one_column (1 # 4) false [Left (-81 # 64); Sign (-81 # 64) 0 true])
+  = false.
 Proof. vm_compute. reflexivity. Qed.
 
-Example a_left_end_too_near : accepts one_plan (one_column (1 # 4) false [Left (-1 # 4); Sign (-1 # 4) 0 true; Taylor]) = false.
+Example a_left_end_too_near : accepts one_plan (one_column (1 # 4) false [Left (-1 # 4); Sign (-1 # 4) 0 true; Taylor])
+  = false.
 Proof. vm_compute. reflexivity. Qed.
 
 Example a_column_too_short :
-  accepts one_plan (one_column (1 # 2) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1) 0 true; Taylor]) = false.
+  accepts one_plan (one_column (1 # 2) false [Left (-81 # 64); Sign (-81 # 64) (-1) true; Sign (-1) 0 true; Taylor])
+    = false.
 Proof. vm_compute. reflexivity. Qed.
 
 (** One column of beta from 5/4 to 3/2, where F has one zero, between 1/2 and 3/2. *)
 Definition one_zero (count : nat) (middle : list entry) (changes_at_end : nat) : certificate :=
   Certificate (ZerosClaim (Interval (At (5 # 4)) (At (3 # 2)) true true) [(1, count)%nat])
-    [Block (At (5 # 4)) (3 # 2) (Left (-5 # 8) :: Sign (-5 # 8) (1 # 2) true :: middle ++ [Right (3 # 2) changes_at_end])].
+    [Block (At (5 # 4)) (3 # 2) (Left (-5 # 8) :: Sign (-5 # 8) (1 # 2) true :: middle ++ [Right (3 # 2)
+      changes_at_end])].
 Definition its_plan : list plan := firstn 1 (skipn 2 zeros_1_2_plans).
 
 Example one_zero_is_accepted : accepts its_plan (one_zero 1 [Monotone (1 # 2) (3 # 2) false] 0) = true.

@@ -1,7 +1,8 @@
 (** * Models of the coefficients
 
-    Section 3 of proofs/box.md. A polynomial in eta with a bound of the error, for |eta| <= 1; (k - b0 - r eta) times it has one coefficient more, which
-    is left out and counts as an error; so the models of a_0, a_1, a_2 give those of all a_k, by the recurrence. *)
+    Section 3 of proofs/box.md. A polynomial in eta with a bound of the error, for |eta| <= 1; (k - b0 - r eta) times it
+    has one coefficient more, which is left out and counts as an error; so the models of a_0, a_1, a_2 give those of all
+    a_k, by the recurrence. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List.
 From Coquelicot Require Import Coquelicot.
@@ -46,8 +47,10 @@ assert (C := polynomial_cut Q eta He).
 assert (EQ : polynomial Q eta = (INR k - b0 - r * eta) * polynomial (fst model) eta / N).
 { unfold Q. rewrite polynomial_divided, polynomial_times. rewrite Rmult_0_r, Rminus_0_r. reflexivity. }
 replace (f3 eta - polynomial (removelast Q) eta)
-  with ((INR k - b0 - r * eta) * (f eta - polynomial (fst model) eta) / N + (polynomial Q eta - polynomial (removelast Q) eta)).
-2: { rewrite EQ. replace (f3 eta) with ((INR k - (b0 + r * eta)) * f eta / N) by (rewrite <- Hf; field; lra). field. lra. }
+  with ((INR k - b0 - r * eta) * (f eta - polynomial (fst model) eta) / N
+    + (polynomial Q eta - polynomial (removelast Q) eta)).
+2: { rewrite EQ. replace (f3 eta) with ((INR k - (b0 + r * eta)) * f eta / N) by (rewrite <- Hf; field; lra). field.
+     lra. }
 eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact C].
 unfold Rdiv. rewrite !Rabs_mult, (Rabs_pos_eq (/ N)) by (apply Rlt_le, Rinv_0_lt_compat, HN).
 apply Rmult_le_compat_r. apply Rlt_le, Rinv_0_lt_compat, HN.
@@ -62,10 +65,12 @@ Lemma series_models b0 r (a : nat -> R -> R) (model : nat -> list R * R) : 0 <= 
   forall k, is_model (model k) (a k).
 Proof.
 intros Hr Ha H0 Hn.
-assert (A : forall k, is_model (model k) (a k) /\ is_model (model (k + 1)%nat) (a (k + 1)%nat) /\ is_model (model (k + 2)%nat) (a (k + 2)%nat)).
+assert (A : forall k, is_model (model k) (a k) /\ is_model (model (k + 1)%nat) (a (k + 1)%nat) /\
+  is_model (model (k + 2)%nat) (a (k + 2)%nat)).
 { induction k as [|k (I0 & I1 & I2)].
   - refine (conj _ (conj _ _)); apply H0; lia.
-  - replace (S k) with (k + 1)%nat by lia. replace (k + 1 + 1)%nat with (k + 2)%nat by lia. replace (k + 1 + 2)%nat with (k + 3)%nat by lia.
+  - replace (S k) with (k + 1)%nat by lia. replace (k + 1 + 1)%nat with (k + 2)%nat by lia.
+    replace (k + 1 + 2)%nat with (k + 3)%nat by lia.
     refine (conj I1 (conj I2 _)). rewrite Hn. apply (next_model_right b0 r k (model k) (a k)); auto. }
 intros k. apply A.
 Qed.

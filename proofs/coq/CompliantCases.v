@@ -2,7 +2,8 @@
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral
   CompliantSlow CompliantMechanism CompliantContact CompliantForward.
 Open Scope R_scope.
 
@@ -66,7 +67,8 @@ rewrite Ropp_involutive in HF.
 rewrite sol_l_family.
 set (F := Fe (- a1 * eps) (a3 / a1 - 1) (t / eps)) in *.
 set (Y := Rpower (- (t / eps)) (a3 / a1 - 1)) in *. assert (HY : 0 < Y) by apply exp_pos.
-replace (a2 / (a3 - a1) - C * (a3 / a1) / (- a3 * eps) * F - a2 / (a3 - a1)) with (- (C * (a3 / a1) / (- a3 * eps) * F)) by ring.
+replace (a2 / (a3 - a1) - C * (a3 / a1) / (- a3 * eps) * F - a2 / (a3 - a1)) with (- (C * (a3 / a1) / (- a3 * eps) * F))
+  by ring.
 rewrite Rabs_Ropp, Rabs_mult. fold k. rewrite (Rabs_pos_eq F) by lra.
 apply Rle_lt_trans with ((k + 1) * (2 * Y)).
 - apply Rmult_le_compat; lra.
@@ -113,8 +115,10 @@ Proof.
 intros He H13 H2 H3 (_ & D & _).
 assert (D' : is_derive (fun t => a2 / (a1 - a3) * a1 * t) t (a2 / (a1 - a3) * a1)).
 { auto_derive; auto; ring. }
-assert (E : a2 / (a1 - a3) * a1 = a2 - a3 * linear_force eps (2 * (- eps ^ 2 * a2 / (a1 - a3))) (- eps ^ 2 * a2 / (a1 - a3))).
-{ transitivity (Derive (fun t => a2 / (a1 - a3) * a1 * t) t). symmetry; apply is_derive_unique; exact D'. apply is_derive_unique; exact D. }
+assert (E : a2 / (a1 - a3) * a1 = a2 - a3 * linear_force eps (2 * (- eps ^ 2 * a2 / (a1 - a3)))
+  (- eps ^ 2 * a2 / (a1 - a3))).
+{ transitivity (Derive (fun t => a2 / (a1 - a3) * a1 * t) t). symmetry; apply is_derive_unique; exact D'.
+  apply is_derive_unique; exact D. }
 replace (linear_force eps (2 * (- eps ^ 2 * a2 / (a1 - a3))) (- eps ^ 2 * a2 / (a1 - a3))) with (a2 / (a1 - a3)) in E
   by (unfold linear_force; field; split; lra).
 set (q := a2 / (a1 - a3)) in *.

@@ -1,8 +1,8 @@
 (** * The compliant model: a cone at -oo
 
-    With u = w' + w'', s = u', d = w', p = -eT the form Q = s^2 + p u^2 + u s + ka d^2 - K w^2 satisfies Q' <= -Q/2 for T near -oo. So a
-    solution with w(t0) = 0 that grows less than e^(|T|/8) vanishes. The growth of w alone bounds that of w', w'', w''' (three
-    mean values and the equation). *)
+    With u = w' + w'', s = u', d = w', p = -eT the form Q = s^2 + p u^2 + u s + ka d^2 - K w^2 satisfies Q' <= -Q/2 for
+    T near -oo. So a solution with w(t0) = 0 that grows less than e^(|T|/8) vanishes. The growth of w alone bounds that
+    of w', w'', w''' (three mean values and the equation). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -94,7 +94,8 @@ Lemma interpolation (w0 w1 w2 w3 w4 : R -> R) (a h M0 M4 : R) : 0 < h ->
    Rabs (w1 t) <= 4368 * (M0 / h) + h ^ 3 * M4.
 Proof.
 intros Hh D0 D1 D2 D3 B0 B4.
-assert (X : forall i : R, 0 <= i <= 7 -> exists c, a + i * (h / 8) < c < a + (i + 1) * (h / 8) /\ Rabs (w1 c) <= 16 * (M0 / h)).
+assert (X : forall i : R, 0 <= i <= 7 -> exists c, a + i * (h / 8) < c < a + (i + 1) * (h / 8) /\
+  Rabs (w1 c) <= 16 * (M0 / h)).
 { intros i Hi.
   assert (0 <= i * (h / 8) <= 7 * (h / 8)) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   destruct (mvt_bound w0 w1 (a + i * (h / 8)) (a + (i + 1) * (h / 8)) M0 (h / 8)) as (c & Hc & E); try lra.
@@ -136,6 +137,8 @@ Definition T_chain (tm : Rbar) (w0 w1 w2 w3 : R -> R) : Prop :=
 Definition small_at_left (w : R -> R) : Prop :=
   exists A T1, forall t, t <= T1 -> Rabs (w t) <= A * exp (- t / 8).
 
+(** Zero data at one time stay zero. Plan: E = w0^2 + w1^2 + w2^2 + w3^2 has |E'| <= L E between t0 and t, where L
+    bounds the coefficients of the equation there; E(t0) = 0, so E = 0 by [one_step_zero]. *)
 Lemma T_chain_zero tm w0 w1 w2 w3 (t0 : R) : T_chain tm w0 w1 w2 w3 -> Rbar_lt t0 tm ->
   w0 t0 = 0 -> w1 t0 = 0 -> w2 t0 = 0 -> w3 t0 = 0 -> forall t : R, Rbar_lt t tm -> w0 t = 0.
 Proof.
@@ -159,7 +162,8 @@ assert (HE : E t = 0).
     + apply (is_derive_plus (fun t => w0 t ^ 2 + w1 t ^ 2 + w2 t ^ 2) (fun t => w3 t ^ 2)).
       apply (is_derive_plus (fun t => w0 t ^ 2 + w1 t ^ 2) (fun t => w2 t ^ 2)).
       apply (is_derive_plus (fun t => w0 t ^ 2) (fun t => w1 t ^ 2)).
-      apply is_derive_pow, D0, Hs'. apply is_derive_pow, D1, Hs'. apply is_derive_pow, D2, Hs'. apply is_derive_pow, D3, Hs'.
+      apply is_derive_pow, D0, Hs'. apply is_derive_pow, D1, Hs'. apply is_derive_pow, D2, Hs'.
+      apply is_derive_pow, D3, Hs'.
     + unfold plus, w4; simpl; ring.
   - intros s. unfold E. generalize (pow2_ge_0 (w0 s)) (pow2_ge_0 (w1 s)) (pow2_ge_0 (w2 s)) (pow2_ge_0 (w3 s)). lra.
   - unfold E. rewrite H0, H1, H2, H3. ring.
@@ -202,7 +206,8 @@ assert (HE : E t = 0).
     assert (0 <= L0 * q3) by (apply Rmult_le_pos; auto).
     lra. }
 unfold E in HE.
-assert (H : w0 t ^ 2 = 0) by (generalize (pow2_ge_0 (w0 t)) (pow2_ge_0 (w1 t)) (pow2_ge_0 (w2 t)) (pow2_ge_0 (w3 t)); lra).
+assert (H : w0 t ^ 2 = 0) by (generalize (pow2_ge_0 (w0 t)) (pow2_ge_0 (w1 t)) (pow2_ge_0 (w2 t)) (pow2_ge_0 (w3 t));
+  lra).
 destruct (Req_dec (w0 t) 0) as [|Hn]; auto. exfalso. apply (pow_nonzero _ 2 Hn). exact H.
 Qed.
 
@@ -231,7 +236,8 @@ assert (Main : forall t, t <= T1 -> Rabs (w1 t) <= K * exp (- t / 8) /\ Rabs (w2
   Rabs (w3 t) <= K * exp (- t / 8)).
 { intros t Ht. destruct (HT t Ht) as (Ht0 & _).
   set (x := - t). assert (Hx : 0 <= x) by (unfold x; lra).
-  set (P := c * (1 + x)). assert (HP : 2 <= P) by (unfold P; assert (2 * 1 <= c * (1 + x)) by (apply Rmult_le_compat; lra); lra).
+  set (P := c * (1 + x)).
+  assert (HP : 2 <= P) by (unfold P; assert (2 * 1 <= c * (1 + x)) by (apply Rmult_le_compat; lra); lra).
   set (h := / (6 * P)).
   assert (Hh : 0 < h) by (apply Rinv_0_lt_compat; lra).
   assert (HPh : P * h = / 6) by (unfold h; field; lra).
@@ -268,11 +274,13 @@ assert (Main : forall t, t <= T1 -> Rabs (w1 t) <= K * exp (- t / 8) /\ Rabs (w2
   assert (h3 : h ^ 3 <= h ^ 2) by (replace (h ^ 3) with (h * h ^ 2) by ring; nra).
   assert (HN0 : 0 <= N) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
   assert (HMN : M0 <= N).
-  { unfold N. apply Rmult_le_reg_r with (h ^ 3); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. nra. }
+  { unfold N. apply Rmult_le_reg_r with (h ^ 3); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    nra. }
   assert (HN2 : M0 / h ^ 2 <= N).
   { replace (M0 / h ^ 2) with (h * N) by (unfold N; field; lra). nra. }
   assert (HN1 : M0 / h <= N).
-  { replace (M0 / h) with (h ^ 2 * N) by (unfold N; field; lra). assert (h ^ 2 * N <= 1 * N) by (apply Rmult_le_compat_r; lra). lra. }
+  { replace (M0 / h) with (h ^ 2 * N) by (unfold N; field; lra).
+    assert (h ^ 2 * N <= 1 * N) by (apply Rmult_le_compat_r; lra). lra. }
   assert (h2M : h ^ 2 * M4 <= h * M4) by (apply Rmult_le_compat_r; lra).
   assert (h3M : h ^ 3 * M4 <= h * M4) by (apply Rmult_le_compat_r; lra).
   assert (IQ : forall s, a <= s <= a + h -> Rabs (w1 s) <= 4368 * N + h * M4 /\ Rabs (w2 s) <= 4368 * N + h * M4 /\
@@ -290,7 +298,8 @@ assert (Main : forall t, t <= T1 -> Rabs (w1 t) <= K * exp (- t / 8) /\ Rabs (w2
     assert (C1 : Rabs (e * (1 - beta + m)) <= P).
     { rewrite Rabs_mult, (Rabs_pos_eq e) by lra.
       assert (Rabs (1 - beta + m) <= 2 + Rabs beta + x).
-      { eapply Rle_trans. apply Rabs_triang. generalize (Rabs_triang 1 (- beta)). rewrite Rabs_Ropp, Rabs_R1. unfold Rminus. lra. }
+      { eapply Rle_trans. apply Rabs_triang. generalize (Rabs_triang 1 (- beta)). rewrite Rabs_Ropp, Rabs_R1.
+        unfold Rminus. lra. }
       assert (e * Rabs (1 - beta + m) <= e * (2 + Rabs beta + x)) by (apply Rmult_le_compat_l; lra).
       assert (e * (2 + Rabs beta + x) <= P).
       { unfold P, c. assert (0 <= e * Rabs beta * x) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
@@ -313,7 +322,8 @@ assert (Main : forall t, t <= T1 -> Rabs (w1 t) <= K * exp (- t / 8) /\ Rabs (w2
     generalize (PP _ _ _ C0 Q0) (PP _ _ _ C1 Q1) (PP _ _ _ C2 Q2) (PP _ _ _ C3 Q3). lra. }
   assert (E5 : h * M4 <= N * 4370).
   { assert (P * (M0 + 3 * (4368 * N + h * M4)) <= P * (13105 * N) + / 2 * M4).
-    { replace (/ 2 * M4) with (P * (3 * (h * M4))) by (replace (P * (3 * (h * M4))) with (3 * (P * h) * M4) by ring; rewrite HPh; field).
+    { replace (/ 2 * M4) with (P * (3 * (h * M4))) by (replace (P * (3 * (h * M4))) with (3 * (P * h) * M4) by ring;
+        rewrite HPh; field).
       rewrite <- Rmult_plus_distr_l. apply Rmult_le_compat_l; lra. }
     assert (M4 <= 2 * (P * (13105 * N))) by lra.
     assert (h * M4 <= h * (2 * (P * (13105 * N)))) by (apply Rmult_le_compat_l; lra).
@@ -337,7 +347,8 @@ assert (Main : forall t, t <= T1 -> Rabs (w1 t) <= K * exp (- t / 8) /\ Rabs (w2
     apply Rmult_le_pos; [|apply Rlt_le, exp_pos].
     apply Rmult_le_pos. apply Rmult_le_pos. lra. apply pow_le; lra.
     apply Rmult_le_pos; [auto|apply Rlt_le, exp_pos]. }
-  destruct (IQ t ltac:(unfold a; lra)) as (Q1 & Q2 & Q3). clear - Q1 Q2 Q3 E5 Fin HN0. refine (conj _ (conj _ _)); eapply Rle_trans; [exact Q1| |exact Q2| |exact Q3| ]; lra. }
+  destruct (IQ t ltac:(unfold a; lra)) as (Q1 & Q2 & Q3). clear - Q1 Q2 Q3 E5 Fin HN0.
+  refine (conj _ (conj _ _)); eapply Rle_trans; [exact Q1| |exact Q2| |exact Q3| ]; lra. }
 refine (conj _ (conj _ (conj _ _))).
 - exists A, T1. intros t Ht. destruct (HT t Ht) as (Ht0 & _ & Hw).
   eapply Rle_trans; [exact Hw|]. apply Rmult_le_compat_l; auto. apply exp_le. lra.
@@ -378,6 +389,10 @@ intros H. rewrite <- (Rabs_pos_eq (x ^ 2)) by apply pow2_ge_0.
 rewrite <- RPow_abs. apply pow_incr; split; auto using Rabs_pos.
 Qed.
 
+(** w0 = 0 at one early time, and no exponential growth at t -> -oo: then w0 = 0. Plan: the quadratic form Q of s = w2 +
+    w3, u = w1 + w2, w1 and w0 satisfies Q' <= - Q/2 up to t0, so Q e^(t/2) is at least its value at t0, backwards in
+    time; but it tends to 0 at t -> -oo by the bounds. So Q(t0) <= 0. With w0(t0) = 0 it is at least a sum of squares:
+    all data are 0 at t0, and [T_chain_zero] ends the proof. *)
 Lemma cone_zero tm w0 w1 w2 w3 (t0 : R) : T_chain tm w0 w1 w2 w3 -> Rbar_lt t0 tm ->
   small_at_left w0 -> small_at_left w1 -> small_at_left w2 -> small_at_left w3 ->
   t0 <= cone_time -> w0 t0 = 0 -> forall t : R, Rbar_lt t tm -> w0 t = 0.
@@ -400,7 +415,8 @@ set (Q' := fun t => - s t ^ 2 - u t * s t - (- e * t + e) * u t ^ 2 + (2 * s t +
     + 2 * ka * w1 t * u t - 2 * ka * w1 t ^ 2 - 2 * K * w0 t * w1 t).
 assert (DQ : forall t : R, Rbar_lt t tm -> is_derive Q t (Q' t)).
 { intros t Htt. unfold Q, Q'. eapply is_derive_val.
-  - apply (is_derive_minus (fun t => s t ^ 2 + (- e * t) * u t ^ 2 + u t * s t + ka * w1 t ^ 2) (fun t => K * w0 t ^ 2)).
+  - apply (is_derive_minus (fun t => s t ^ 2 + (- e * t) * u t ^ 2 + u t * s t + ka * w1 t ^ 2) (fun t =>
+      K * w0 t ^ 2)).
     apply (is_derive_plus (fun t => s t ^ 2 + (- e * t) * u t ^ 2 + u t * s t) (fun t => ka * w1 t ^ 2)).
     apply (is_derive_plus (fun t => s t ^ 2 + (- e * t) * u t ^ 2) (fun t => u t * s t)).
     apply (is_derive_plus (fun t => s t ^ 2) (fun t => (- e * t) * u t ^ 2)).
@@ -435,7 +451,8 @@ assert (Hgrow : forall t, t <= t0 -> Q t0 * exp (t0 / 2) <= Q t * exp (t / 2)).
 { intros t Ht.
   apply (decr_of_derive (fun t => Q t * exp (t / 2)) (fun t => (Q' t + / 2 * Q t) * exp (t / 2)) t t0 Ht).
   - intros x Hx. evar_last.
-    apply (is_derive_mult_R Q (fun t => exp (t / 2)) x (Q' x) (/ 2 * exp (x / 2))). apply DQ. apply (Rbar_lt_le x t0); auto; lra.
+    apply (is_derive_mult_R Q (fun t => exp (t / 2)) x (Q' x) (/ 2 * exp (x / 2))). apply DQ.
+    apply (Rbar_lt_le x t0); auto; lra.
     auto_derive; auto; unfold Rdiv; ring. ring.
   - intros x Hx. assert (H := HQ' x ltac:(lra)). generalize (exp_pos (x / 2)). intros. nra. }
 (* upper bound *)

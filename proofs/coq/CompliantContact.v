@@ -1,10 +1,12 @@
 (** * The compliant model: motions that come from t = -oo in contact
 
-    A motion in contact on t < tm (tm = +oo allowed) whose b does not grow exponentially as t -> -oo is "trivial + C slow". *)
+    A motion in contact on t < tm (tm = +oo allowed) whose b does not grow exponentially as t -> -oo is "trivial + C
+    slow". *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral
   CompliantSlow CompliantMechanism CompliantCone CompliantUnique.
 Open Scope R_scope.
 
@@ -48,7 +50,8 @@ specialize (Hb _ HT1). replace (- (eps * T) / (16 * eps)) with (- T / 16) in Hb 
 assert (HX1 : 1 + - T / 16 <= exp (- T / 16)) by apply exp_ineq1_le.
 assert (HTX : Rabs T <= 16 * exp (- T / 16)) by (rewrite Rabs_left1 by auto; lra).
 eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp, <- Rmult_assoc, (Rabs_mult (k * eps)).
-assert (Rabs (k * eps) * Rabs T <= Rabs (k * eps) * (16 * exp (- T / 16))) by (apply Rmult_le_compat_l; auto using Rabs_pos).
+assert (Rabs (k * eps) * Rabs T <= Rabs (k * eps) * (16 * exp (- T / 16)))
+  by (apply Rmult_le_compat_l; auto using Rabs_pos).
 lra.
 Qed.
 
@@ -99,7 +102,8 @@ Qed.
 Theorem contact_unique (tm : Rbar) (p b y v z : R -> R) : (forall t : R, Rbar_lt t tm -> p t = a1 * t) ->
   (forall t : R, Rbar_lt t tm -> model_at a1 a2 a3 eps linear_force p b y v z t) ->
   slow_at_left eps b ->
-  exists C, forall t : R, Rbar_lt t tm -> p t = sol_p a1 t /\ b t = sol_b a1 a2 a3 eps C t /\ y t = sol_y a1 a2 a3 eps C t /\
+  exists C, forall t : R, Rbar_lt t tm -> p t = sol_p a1 t /\ b t = sol_b a1 a2 a3 eps C t /\
+    y t = sol_y a1 a2 a3 eps C t /\
     v t = sol_v a1 a3 eps C t /\ z t = sol_z a1 a2 a3 eps C t /\ linear_force eps (y t) (z t) = sol_l a1 a2 a3 eps C t.
 Proof.
 intros Hp H Gb.

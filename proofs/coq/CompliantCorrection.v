@@ -1,13 +1,16 @@
 (** * The force against the force at leading order with the terms of P
 
-    Theorem C at n + 1, at the scale eta = (- a1 eps/2)^(1/3) of the mechanism: the difference of the n-th derivatives of the force of a slow motion and of the
-    corrected force is C_1 Gamma(-beta) times a positive number times what Theorem C leaves over. So on the side C_1 Gamma(-beta) > 0
-    signs of the corrected force on [t0, t1], and of its derivatives at t1, are signs of the force, and the tail lemma gives contact for ever. *)
+    Theorem C at n + 1, at the scale eta = (- a1 eps/2)^(1/3) of the mechanism: the difference of the n-th derivatives
+    of the force of a slow motion and of the corrected force is C_1 Gamma(-beta) times a positive number times what
+    Theorem C leaves over. So on the side C_1 Gamma(-beta) > 0 signs of the corrected force on [t0, t1], and of its
+    derivatives at t1, are signs of the force, and the tail lemma gives contact for ever. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral EnvelopingSeries Family Ends CompliantKernel CompliantIntegral
-  CompliantSlow CompliantMechanism CompliantZeros CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold EtaSeries CompliantPolynomial.
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral EnvelopingSeries Family
+  Ends CompliantKernel CompliantIntegral
+  CompliantSlow CompliantMechanism CompliantZeros CompliantSlowMotion LeftExpansion CompliantMonotone CompliantThreshold
+    EtaSeries CompliantPolynomial.
 Open Scope R_scope.
 
 Section Corrected.
@@ -29,8 +32,10 @@ Definition corrected_derivative (j : nat) (t : R) : R := polynomial_series eta M
 
 Lemma corrected_derive j t : is_derive (corrected_derivative j) t (corrected_derivative (S j) t).
 Proof.
-apply (sum_first_derive (fun m t => sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta (j + (k + 3 * m)) t) (S (K m)))
-  (fun m => sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta (S j + (k + 3 * m)) t) (S (K m)))). intros m.
+apply (sum_first_derive (fun m t => sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta
+  (j + (k + 3 * m)) t) (S (K m)))
+  (fun m => sum_first (fun k => series_coefficient k m * eta ^ k * Derive_n theta (S j + (k + 3 * m)) t) (S (K m)))).
+  intros m.
 apply (sum_first_derive (fun k t => series_coefficient k m * eta ^ k * Derive_n theta (j + (k + 3 * m)) t)
   (fun k => series_coefficient k m * eta ^ k * Derive_n theta (S j + (k + 3 * m)) t)). intros k.
 apply (is_derive_scal (Derive_n theta (j + (k + 3 * m)))), theta_is_derive.
@@ -38,17 +43,23 @@ Qed.
 
 Lemma corrected_theta_0 t : corrected_theta eta M K theta t = corrected_derivative 0 t.
 Proof.
-unfold corrected_theta, corrected_derivative, polynomial_series. rewrite (sum_first_head _ M), (sum_first_head _ (K 0%nat)).
+unfold corrected_theta, corrected_derivative, polynomial_series.
+rewrite (sum_first_head _ M), (sum_first_head _ (K 0%nat)).
 rewrite (sum_first_zero (fun k => series_coefficient (S k) 0 * _ * _)).
-- change (series_coefficient 0 0) with 1. simpl pow. change (Derive_n theta (0 + (0 + 3 * 0)) t) with (theta t). cbv zeta. 
-  change (fun i => sum_first (fun k => series_coefficient k (S i) * eta ^ k * Derive_n theta (0 + (k + 3 * S i)) t) (S (K (S i))))
-    with (fun i => sum_first (fun k => series_coefficient k (S i) * eta ^ k * Derive_n theta (k + 3 * S i) t) (S (K (S i)))). ring.
+- change (series_coefficient 0 0) with 1. simpl pow. change (Derive_n theta (0 + (0 + 3 * 0)) t) with (theta t).
+  cbv zeta. 
+  change (fun i => sum_first (fun k => series_coefficient k (S i) * eta ^ k * Derive_n theta (0 + (k + 3 * S i)) t)
+    (S (K (S i))))
+    with (fun i => sum_first (fun k => series_coefficient k (S i) * eta ^ k * Derive_n theta (k + 3 * S i) t)
+      (S (K (S i)))). ring.
 - intros k. rewrite coefficient_0. ring.
 Qed.
 
-Lemma excess_of_corrected n t : polynomial_excess M K b theta eta n t = scaled_J eta (- b - 1) n t - Gamma (- b) * corrected_derivative n t.
+Lemma excess_of_corrected n t : polynomial_excess M K b theta eta n t = scaled_J eta (- b - 1) n t - Gamma
+  (- b) * corrected_derivative n t.
 Proof.
-unfold polynomial_excess, corrected_derivative, polynomial_series. f_equal. rewrite <- sum_first_scal. apply sum_first_ext. intros m.
+unfold polynomial_excess, corrected_derivative, polynomial_series. f_equal. rewrite <- sum_first_scal.
+apply sum_first_ext. intros m.
 rewrite <- sum_first_scal. apply sum_first_ext. intros k. unfold scaled. ring.
 Qed.
 End Corrected.
@@ -72,7 +83,8 @@ Let force t := linear_force eps (Y t) (Z t).
 
 Lemma factor_pos : 0 < factor.
 Proof.
-unfold factor. apply Rmult_lt_0_compat; [|apply exp_pos]. apply Rdiv_lt_0_compat; [apply exp_pos|]. apply Rmult_lt_0_compat; lra.
+unfold factor. apply Rmult_lt_0_compat; [|apply exp_pos]. apply Rdiv_lt_0_compat; [apply exp_pos|].
+apply Rmult_lt_0_compat; lra.
 Qed.
 
 Definition corrected_force_derivative (k : nat) (t : R) : R :=
@@ -81,9 +93,12 @@ Definition corrected_force_derivative (k : nat) (t : R) : R :=
 
 Lemma corrected_force_derive k t : is_derive (corrected_force_derivative k) t (corrected_force_derivative (S k) t).
 Proof.
-unfold corrected_force_derivative. set (c := match k with O => a2 / (a3 - a1) | S _ => 0 end). set (q := factor * C1 * (eta / eps) ^ k).
-apply (is_derive_val _ _ (0 + q * (eta / eps * corrected_derivative theta eta M K (S (S k)) (eta * (t / eps))))); [|unfold q; simpl pow; ring].
-apply (is_derive_plus (fun _ => c) (fun t => q * corrected_derivative theta eta M K (S k) (eta * (t / eps)))). apply (is_derive_const c).
+unfold corrected_force_derivative. set (c := match k with O => a2 / (a3 - a1) | S _ => 0 end).
+set (q := factor * C1 * (eta / eps) ^ k).
+apply (is_derive_val _ _ (0 + q * (eta / eps * corrected_derivative theta eta M K (S (S k)) (eta * (t / eps)))));
+  [|unfold q; simpl pow; ring].
+apply (is_derive_plus (fun _ => c) (fun t => q * corrected_derivative theta eta M K (S k) (eta * (t / eps)))).
+apply (is_derive_const c).
 apply (is_derive_scal (fun t => corrected_derivative theta eta M K (S k) (eta * (t / eps)))).
 apply (is_derive_comp (corrected_derivative theta eta M K (S k)) (fun t => eta * (t / eps))).
 - apply (corrected_derive beta); auto.
@@ -98,7 +113,8 @@ rewrite (Derive_ext _ (corrected_derivative theta eta M K 0)) by (intros; apply 
 rewrite (is_derive_unique _ _ _ (corrected_derive beta theta eta M K Hb HT 0 (eta * (t / eps)))).
 assert (E := eta_of_factor a1 eps He C1 a3 beta ltac:(lra)). fold eta in E. fold beta.
 set (D := corrected_derivative theta eta M K 1 (eta * (t / eps))).
-replace (factor * C1 * (eta / eps) ^ 0) with (C1 * Rpower eps beta / (- a3 * eps) * Rpower eta (1 - beta)) by (unfold factor; simpl pow; field; lra).
+replace (factor * C1 * (eta / eps) ^ 0) with (C1 * Rpower eps beta / (- a3 * eps) * Rpower eta (1 - beta))
+  by (unfold factor; simpl pow; field; lra).
 rewrite E. ring.
 Qed.
 
@@ -111,26 +127,34 @@ rewrite (Derive_ext _ (corrected_force_derivative n)) by exact IH. apply is_deri
 Qed.
 
 Lemma force_derivative n t : Derive_n force n t
-  = match n with O => a2 / (a3 - a1) | S _ => 0 end + factor * C1 * (eta / eps) ^ n * (scaled_J eta (- beta - 1) (S n) (eta * (t / eps)) / G).
+  = match n with O => a2 / (a3 - a1) | S _ => 0 end + factor * C1 * (eta / eps) ^ n * (scaled_J eta (- beta - 1) (S n)
+    (eta * (t / eps)) / G).
 Proof.
 unfold force. rewrite (slow_force_derive a1 a2 a3 eps Hpar _ P B Y V Z HS n t).
 assert (Hg : G <> 0) by (apply not_nat_Gamma, Hb).
 rewrite <- (scaled_slow beta (S n) eta (eta * (t / eps)) Hn Hb). fold G.
-replace (2 * eta ^ 3) with (- a1 * eps) by (symmetry; exact (eta_of_cube a1 eps H1 He)). replace (eta * (t / eps) / eta) with (t / eps) by (field; split; lra).
+replace (2 * eta ^ 3) with (- a1 * eps) by (symmetry; exact (eta_of_cube a1 eps H1 He)).
+replace (eta * (t / eps) / eta) with (t / eps) by (field; split; lra).
 set (F := Derive_n (Fe (- a1 * eps) beta) (S n) (t / eps)).
-assert (X : dl a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) n t = match n with O => a2 / (a3 - a1) | S _ => 0 end + C1 * Rpower eps beta / (- a3) * F / eps ^ S n).
+assert (X : dl a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) n t = match n with O => a2 / (a3 - a1) | S _ =>
+  0 end + C1 * Rpower eps beta / (- a3) * F / eps ^ S n).
 { unfold dl, F, beta, sol_l. set (mean := a2 / (a3 - a1)). destruct n as [|n].
-  - change (Derive_n (Fe (- a1 * eps) (a3 / a1)) 1 (t / eps)) with (Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)). simpl pow. set (b := a3 / a1). field. split; lra.
+  - change (Derive_n (Fe (- a1 * eps) (a3 / a1)) 1 (t / eps)) with (Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)).
+    simpl pow. set (b := a3 / a1). field. split; lra.
   - unfold hb. set (b := a3 / a1). assert (eps ^ S (S n) <> 0) by (apply pow_nonzero; lra). field. split; auto; lra. }
 rewrite X. f_equal. unfold factor.
-replace (beta - INR (S n)) with (- (1 - beta) + - INR n) by (rewrite S_INR; ring). rewrite Rpower_plus, !Rpower_Ropp, Rpower_pow by auto.
-assert (Q : (eta / eps) ^ n = eta ^ n * / eps ^ n) by (unfold Rdiv; rewrite Rpow_mult_distr, pow_inv; reflexivity). rewrite Q. simpl pow.
-assert (Rpower eta (1 - beta) <> 0) by (apply Rgt_not_eq, exp_pos). assert (eta ^ n <> 0) by (apply pow_nonzero; lra). assert (eps ^ n <> 0) by (apply pow_nonzero; lra).
+replace (beta - INR (S n)) with (- (1 - beta) + - INR n) by (rewrite S_INR; ring).
+rewrite Rpower_plus, !Rpower_Ropp, Rpower_pow by auto.
+assert (Q : (eta / eps) ^ n = eta ^ n * / eps ^ n) by (unfold Rdiv; rewrite Rpow_mult_distr, pow_inv; reflexivity).
+rewrite Q. simpl pow.
+assert (Rpower eta (1 - beta) <> 0) by (apply Rgt_not_eq, exp_pos). assert (eta ^ n <> 0) by (apply pow_nonzero; lra).
+assert (eps ^ n <> 0) by (apply pow_nonzero; lra).
 field. repeat split; auto; lra.
 Qed.
 
 Theorem force_above_corrected_force n t : enough_terms beta n M K ->
-  (0 < C1 * G -> Derive_n corrected n t < Derive_n force n t) /\ (C1 * G < 0 -> Derive_n force n t < Derive_n corrected n t).
+  (0 < C1 * G -> Derive_n corrected n t < Derive_n force n t) /\
+    (C1 * G < 0 -> Derive_n force n t < Derive_n corrected n t).
 Proof.
 intros [E1 E2].
 assert (Hg : G <> 0) by (apply not_nat_Gamma, Hb).
@@ -141,11 +165,13 @@ assert (X : 0 < polynomial_excess M K beta theta eta (S n) (eta * (t / eps))).
   - intros m Hm. destruct (E2 m Hm) as [_ A]. rewrite S_INR. lra. }
 rewrite excess_of_corrected in X. fold G in X.
 assert (D : Derive_n force n t - Derive_n corrected n t = C1 * G * (factor * (eta / eps) ^ n * (/ G) ^ 2
-  * (scaled_J eta (- beta - 1) (S n) (eta * (t / eps)) - G * corrected_derivative theta eta M K (S n) (eta * (t / eps))))).
+  * (scaled_J eta (- beta - 1) (S n) (eta * (t / eps)) - G * corrected_derivative theta eta M K (S n)
+      (eta * (t / eps))))).
 { rewrite force_derivative, corrected_force_derive_n. unfold corrected_force_derivative.
   set (c := match n with O => a2 / (a3 - a1) | S _ => 0 end). set (w := (eta / eps) ^ n). field. exact Hg. }
 assert (Q : 0 < factor * (eta / eps) ^ n * (/ G) ^ 2
-  * (scaled_J eta (- beta - 1) (S n) (eta * (t / eps)) - G * corrected_derivative theta eta M K (S n) (eta * (t / eps)))).
+  * (scaled_J eta (- beta - 1) (S n) (eta * (t / eps)) - G * corrected_derivative theta eta M K (S n)
+      (eta * (t / eps)))).
 { apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; [|apply pow2_gt_0, Rinv_neq_0_compat, Hg].
   apply Rmult_lt_0_compat; [apply factor_pos|]. apply pow_lt, Rdiv_lt_0_compat; auto. }
 set (q := factor * _ * _ * _) in D, Q. split; intros HC.
@@ -156,10 +182,12 @@ Qed.
 (** More derivatives need no more terms. *)
 Lemma enough_terms_more n : enough_terms beta 0 M K -> enough_terms beta n M K.
 Proof.
-intros [E1 E2]. assert (A := pos_INR n). simpl in E1. split; [lra|]. intros m Hm. destruct (E2 m Hm) as [O E]. simpl (INR 0) in E. split; [exact O|lra].
+intros [E1 E2]. assert (A := pos_INR n). simpl in E1. split; [lra|]. intros m Hm. destruct (E2 m Hm) as [O E].
+simpl (INR 0) in E. split; [exact O|lra].
 Qed.
 
-Theorem IWC_by_corrected_force n t0 t1 p b y v z : beta < INR n + 2 -> enough_terms beta 0 M K -> 0 < C1 * G -> t0 <= t1 ->
+Theorem IWC_by_corrected_force n t0 t1 p b y v z : beta < INR n + 2 -> enough_terms beta 0 M K -> 0 < C1 * G ->
+  t0 <= t1 ->
   (forall t, t0 <= t <= t1 -> 0 <= corrected t) -> (forall k, (k <= n)%nat -> 0 <= Derive_n corrected k t1) ->
   (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
   p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 ->
@@ -170,10 +198,13 @@ Proof.
 intros Hbeta HE HC H01 Hc Hd.
 apply (contact_kept a1 a2 a3 eps C1 P B Y V Z Hpar HS t0 HC).
 intros t Ht. destruct (Rle_lt_dec t t1) as [Hl|Hl].
-- assert (A := proj1 (force_above_corrected_force 0 t HE) HC). simpl in A. specialize (Hc t ltac:(lra)). unfold force in A. lra.
+- assert (A := proj1 (force_above_corrected_force 0 t HE) HC). simpl in A. specialize (Hc t ltac:(lra)).
+  unfold force in A. lra.
 - apply linear_force_pos; auto. apply (contact_tail a1 a2 a3 eps Hpar _ P B Y V Z HS n t1); auto.
   + rewrite plus_INR. simpl (INR 2). fold beta. lra.
-  + fold beta G. replace (C1 * Rpower eps beta * G) with (Rpower eps beta * (C1 * G)) by ring. apply Rmult_lt_0_compat; auto. apply exp_pos.
-  + intros k Hk. assert (A := proj1 (force_above_corrected_force k t1 (enough_terms_more k HE)) HC). specialize (Hd k Hk). unfold force in A. lra.
+  + fold beta G. replace (C1 * Rpower eps beta * G) with (Rpower eps beta * (C1 * G)) by ring.
+    apply Rmult_lt_0_compat; auto. apply exp_pos.
+  + intros k Hk. assert (A := proj1 (force_above_corrected_force k t1 (enough_terms_more k HE)) HC).
+    specialize (Hd k Hk). unfold force in A. lra.
 Qed.
 End Force.

@@ -1,7 +1,7 @@
 (** * The compliant model: how a motion depends on its state
 
-    The force with compl2 is Lipschitz. So the difference of two motions grows at most exponentially ([motions_close], p may differ too), and a motion is
-    determined by its state ([forward_unique]). *)
+    The force with compl2 is Lipschitz. So the difference of two motions grows at most exponentially ([motions_close], p
+    may differ too), and a motion is determined by its state ([forward_unique]). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -38,7 +38,8 @@ apply Rle_trans with (Rabs (2 * X) * (q * (Rabs Y + Rabs Z))).
   assert (H1 := two_ab X Y). assert (H2 := two_ab X Z). lra.
 Qed.
 
-(** Two motions: the difference of their states grows at most exponentially, with a constant that does not depend on them but through bounds. *)
+(** Two motions: the difference of their states grows at most exponentially, with a constant that does not depend on
+    them but through bounds. *)
 Lemma motions_close (p b y v z p' b' y' v' z' : R -> R) (t0 te P eta : R) :
   (forall t, t0 <= t <= te -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
   (forall t, t0 <= t <= te -> model_at a1 a2 a3 eps contact_force p' b' y' v' z' t) ->
@@ -46,7 +47,8 @@ Lemma motions_close (p b y v z p' b' y' v' z' : R -> R) (t0 te P eta : R) :
   (forall t, t0 <= t <= te -> ((p t - p' t) * contact_force eps (y' t) (z' t)) ^ 2 <= eta) ->
   let E t := (b t - b' t) ^ 2 + (y t - y' t) ^ 2 + (v t - v' t) ^ 2 + (z t - z' t) ^ 2 in
   forall t, t0 <= t <= te ->
-  E t + eta <= (E t0 + eta) * exp ((2 * Rabs a3 * / eps ^ 2 + 3 + 2 * P * / eps ^ 2 + 3 / eps + 2 * eps * / eps ^ 2) * (t - t0)).
+  E t + eta <= (E t0 + eta) * exp ((2 * Rabs a3 * / eps ^ 2 + 3 + 2 * P * / eps ^ 2 + 3 / eps + 2 * eps * / eps ^ 2)
+    * (t - t0)).
 Proof.
 intros H H' HP Heta E t Ht.
 set (q := / eps ^ 2).
@@ -56,7 +58,8 @@ set (g := fun s => (p s - p' s) * contact_force eps (y' s) (z' s)).
 assert (HL : forall s, Rabs (L s) <= q * (Rabs (y s - y' s) + Rabs (z s - z' s))).
 { intros s. apply contact_force_lipschitz, Heps. }
 set (E' := fun s => 2 * (b s - b' s) * (- a3 * L s) + 2 * (y s - y' s) * (v s - v' s)
-   + 2 * (v s - v' s) * ((b s - b' s) + p s * L s + g s) + 2 * (z s - z' s) * (/ eps * (- (z s - z' s) - eps ^ 2 * L s))).
+   + 2 * (v s - v' s) * ((b s - b' s) + p s * L s + g s) + 2 * (z s - z' s)
+       * (/ eps * (- (z s - z' s) - eps ^ 2 * L s))).
 set (K := 2 * Rabs a3 * q + 3 + 2 * P * q + 3 / eps + 2 * eps * q).
 assert (Heta0 : 0 <= eta) by (eapply Rle_trans; [apply pow2_ge_0|exact (Heta t Ht)]).
 assert (D : forall s, t0 <= s <= te -> is_derive E s (E' s)).
@@ -66,11 +69,13 @@ assert (D : forall s, t0 <= s <= te -> is_derive E s (E' s)).
   { apply (is_derive_ext (fun s => / eps * (eps * z s - eps * z' s))).
     { intros u. match goal with |- ?x = ?y => change (@eq R x y) end. field; lra. }
     replace (- (z s - z' s) - eps ^ 2 * L s) with
-      ((- z s - eps ^ 2 * contact_force eps (y s) (z s)) - (- z' s - eps ^ 2 * contact_force eps (y' s) (z' s))) by (unfold L; ring).
+      ((- z s - eps ^ 2 * contact_force eps (y s) (z s)) - (- z' s - eps ^ 2 * contact_force eps (y' s) (z' s)))
+        by (unfold L; ring).
     apply (is_derive_scal (fun s => eps * z s - eps * z' s)).
     apply (is_derive_minus (fun s => eps * z s) (fun s => eps * z' s)); auto. }
   unfold E, E'. eapply is_derive_val.
-  + apply (is_derive_plus (fun s => (b s - b' s) ^ 2 + (y s - y' s) ^ 2 + (v s - v' s) ^ 2) (fun s => (z s - z' s) ^ 2)).
+  + apply (is_derive_plus (fun s => (b s - b' s) ^ 2 + (y s - y' s) ^ 2 + (v s - v' s) ^ 2) (fun s =>
+      (z s - z' s) ^ 2)).
     apply (is_derive_plus (fun s => (b s - b' s) ^ 2 + (y s - y' s) ^ 2) (fun s => (v s - v' s) ^ 2)).
     apply (is_derive_plus (fun s => (b s - b' s) ^ 2) (fun s => (y s - y' s) ^ 2)).
     apply is_derive_pow. exact (is_derive_minus b b' s _ _ Db Db').
@@ -90,7 +95,8 @@ assert (HE' : forall s, t0 <= s <= te -> E' s <= K * (E s + eta)).
   assert (T1 := Rle_trans _ _ _ (Rle_abs _) (two_ab Y V)). assert (T2 := Rle_trans _ _ _ (Rle_abs _) (two_ab V B)).
   assert (T3 := Rle_trans _ _ _ (Rle_abs _) (two_ab V G)).
   replace (2 * B * (- a3 * l) + 2 * Y * V + 2 * V * (B + p s * l + G) + 2 * Z * (/ eps * (- Z - eps ^ 2 * l)))
-    with (- a3 * (2 * B * l) + 2 * Y * V + 2 * V * B + p s * (2 * V * l) + - (2 / eps * Z ^ 2) + - eps * (2 * Z * l) + 2 * V * G)
+    with (- a3 * (2 * B * l) + 2 * Y * V + 2 * V * B + p s * (2 * V * l) + - (2 / eps * Z ^ 2) + - eps * (2 * Z * l)
+      + 2 * V * G)
     by (field; lra).
   assert (N1 := pow2_ge_0 B). assert (N2 := pow2_ge_0 Y). assert (N3 := pow2_ge_0 V). assert (N4 := pow2_ge_0 Z).
   set (W := B ^ 2 + Y ^ 2 + V ^ 2 + Z ^ 2).
@@ -112,16 +118,19 @@ assert (HE' : forall s, t0 <= s <= te -> E' s <= K * (E s + eta)).
   assert (W0 : 0 <= W) by (unfold W; lra).
   assert (K0 : 0 <= 2 * Rabs a3 * q + 2 + 2 * P * q + 3 / eps + 2 * eps * q).
   { assert (0 <= Rabs a3 * q) by (apply Rmult_le_pos; [apply Rabs_pos|lra]).
-    assert (0 <= P * q) by (apply Rmult_le_pos; lra). assert (0 < eps * q) by (apply Rmult_lt_0_compat; lra). unfold Rdiv. lra. }
+    assert (0 <= P * q) by (apply Rmult_le_pos; lra). assert (0 < eps * q) by (apply Rmult_lt_0_compat; lra).
+    unfold Rdiv. lra. }
   assert (R6 : 0 <= (2 * Rabs a3 * q + 2 + 2 * P * q + 3 / eps + 2 * eps * q) * eta) by (apply Rmult_le_pos; lra).
   assert (R7 : 0 <= / eps * W) by (apply Rmult_le_pos; lra).
   assert (T1W : Y ^ 2 + V ^ 2 + (V ^ 2 + B ^ 2) + V ^ 2 <= 3 * W) by (unfold W; lra).
   unfold Rdiv in *.
   lra. }
 assert (G : (E t + eta) * exp (- K * (t - t0)) <= (E t0 + eta) * exp (- K * (t0 - t0))).
-{ apply (decr_of_derive (fun s => (E s + eta) * exp (- K * (s - t0))) (fun s => (E' s - K * (E s + eta)) * exp (- K * (s - t0))) t0 t (proj1 Ht)).
+{ apply (decr_of_derive (fun s => (E s + eta) * exp (- K * (s - t0))) (fun s => (E' s - K * (E s + eta)) * exp
+    (- K * (s - t0))) t0 t (proj1 Ht)).
   - intros s Hs. eapply is_derive_val.
-    + apply (is_derive_mult_R (fun s => E s + eta) (fun s => exp (- K * (s - t0))) s (E' s + 0) (- K * exp (- K * (s - t0)))).
+    + apply (is_derive_mult_R (fun s => E s + eta) (fun s => exp (- K * (s - t0))) s (E' s + 0)
+        (- K * exp (- K * (s - t0)))).
       apply (is_derive_plus E (fun _ => eta)). apply D; lra. apply (is_derive_const eta).
       auto_derive; auto. unfold Rminus; ring.
     + ring.
@@ -165,7 +174,8 @@ assert (HP : forall s, t0 <= s <= t -> Rabs (p s) <= Rabs a1 * (t - t0) + Rabs (
   eapply Rle_trans. apply Rabs_triang. lra. }
 assert (M := motions_close p b y v z p' b' y' v' z' t0 t (Rabs a1 * (t - t0) + Rabs (p t0)) 0
   (fun s Hs => H s ltac:(lra)) (fun s Hs => H' s ltac:(lra)) HP).
-cbv beta zeta in M. specialize (M ltac:(intros s Hs; rewrite (Ep s) by lra; rewrite Rminus_eq_0, Rmult_0_l; right; ring) t ltac:(lra)).
+cbv beta zeta in M.
+specialize (M ltac:(intros s Hs; rewrite (Ep s) by lra; rewrite Rminus_eq_0, Rmult_0_l; right; ring) t ltac:(lra)).
 rewrite Ib, Iy, Iv, Iz, !Rminus_eq_0, pow_ne_zero, !Rplus_0_r, Rmult_0_l in M by lia.
 assert (N1 := pow2_ge_0 (b t - b' t)). assert (N2 := pow2_ge_0 (y t - y' t)).
 assert (N3 := pow2_ge_0 (v t - v' t)). assert (N4 := pow2_ge_0 (z t - z' t)).

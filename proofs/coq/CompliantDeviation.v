@@ -1,7 +1,7 @@
 (** * The compliant model: the equations in contact and the equation of the deviation
 
-    In contact, with p = a1 t, the five equations say the same as modelSysDev for the deviation of b with the formulas modelSysDevRecoverY, V, Z, LN for the
-    deviations of y, v, z and of the force. *)
+    In contact, with p = a1 t, the five equations say the same as modelSysDev for the deviation of b with the formulas
+    modelSysDevRecoverY, V, Z, LN for the deviations of y, v, z and of the force. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -17,7 +17,8 @@ Hypothesis Hp : forall t, p t = a1 * t.
 
 Let bh (t : R) : R := b t - a2 / (a1 - a3) * a1 * t.
 
-Lemma deviation_forward : (forall t, model_at a1 a2 a3 eps linear_force p b y v z t) -> deviation_form a1 a2 a3 eps b y v z.
+Lemma deviation_forward : (forall t, model_at a1 a2 a3 eps linear_force p b y v z t) ->
+  deviation_form a1 a2 a3 eps b y v z.
 Proof.
 intros H.
 destruct (recover_converse a1 a2 a3 eps Ha3 Ha13 Heps p_infty p b y v z (fun t _ => Hp t) (fun t _ => H t))
@@ -28,10 +29,13 @@ assert (E1 : forall t, Derive bh t = b1 t).
 assert (E2 : forall t, Derive_n bh 2 t = b2 t).
 { intros t. simpl. rewrite (Derive_ext _ b1) by auto. apply is_derive_unique, (D1 t I). }
 assert (E3 : forall t, Derive_n bh 3 t = b3 t).
-{ intros t. change (Derive (Derive_n bh 2) t = b3 t). rewrite (Derive_ext _ b2) by auto. apply is_derive_unique, (D2 t I). }
+{ intros t. change (Derive (Derive_n bh 2) t = b3 t). rewrite (Derive_ext _ b2) by auto.
+  apply is_derive_unique, (D2 t I). }
 assert (E4 := fun t => is_derive_unique _ _ _ (D3 t I)).
-assert (E4' : forall t, Derive_n bh 4 t = (a3 * b0 t - a1 * t * b1 t + eps * ((a3 - a1) * b1 t - a1 * t * b2 t) - 2 * eps ^ 2 * b3 t) / eps ^ 3).
-{ intros t. change (Derive (Derive_n bh 3) t = (a3 * b0 t - a1 * t * b1 t + eps * ((a3 - a1) * b1 t - a1 * t * b2 t) - 2 * eps ^ 2 * b3 t) / eps ^ 3).
+assert (E4' : forall t, Derive_n bh 4 t = (a3 * b0 t - a1 * t * b1 t + eps * ((a3 - a1) * b1 t - a1 * t * b2 t)
+  - 2 * eps ^ 2 * b3 t) / eps ^ 3).
+{ intros t. change (Derive (Derive_n bh 3) t = (a3 * b0 t - a1 * t * b1 t + eps * ((a3 - a1) * b1 t - a1 * t * b2 t)
+    - 2 * eps ^ 2 * b3 t) / eps ^ 3).
   rewrite (Derive_ext _ b3) by auto. apply E4. }
 split.
 - intros [|[|[|[|[|k]]]]] t Hk; [exact I| | | | |lia]; unfold ex_derive_n; eexists.
@@ -44,13 +48,15 @@ split.
   refine (conj _ (conj _ (conj _ (conj _ _)))); field; repeat split; lra.
 Qed.
 
-Lemma deviation_backward : deviation_form a1 a2 a3 eps b y v z -> forall t, model_at a1 a2 a3 eps linear_force p b y v z t.
+Lemma deviation_backward : deviation_form a1 a2 a3 eps b y v z -> forall t,
+  model_at a1 a2 a3 eps linear_force p b y v z t.
 Proof.
 intros (Hex & H).
 assert (D : forall n t, (n < 4)%nat -> is_derive (Derive_n bh n) t (Derive_n bh (S n) t)).
 { intros n t Hn. apply (Derive_correct (Derive_n bh n)). exact (Hex (S n) t Hn). }
 assert (Ch : dev_chain p_infty a1 a3 eps bh (Derive bh) (Derive_n bh 2) (Derive_n bh 3)).
-{ refine (conj (fun t _ => D 0%nat t ltac:(lia)) (conj (fun t _ => D 1%nat t ltac:(lia)) (conj (fun t _ => D 2%nat t ltac:(lia)) _))).
+{ refine (conj (fun t _ => D 0%nat t ltac:(lia)) (conj (fun t _ => D 1%nat t ltac:(lia))
+    (conj (fun t _ => D 2%nat t ltac:(lia)) _))).
   intros t _. assert (A := D 3%nat t ltac:(lia)). destruct (H t) as (E & _).
   change (a3 * bh t - a1 * t * Derive bh t + eps * ((a3 - a1) * Derive bh t - a1 * t * Derive_n bh 2 t)
     - 2 * eps ^ 2 * Derive_n bh 3 t - eps ^ 3 * Derive_n bh 4 t = 0) in E.
@@ -62,16 +68,19 @@ assert (Eb : forall t, rec_b a1 a2 a3 bh t = b t) by (intros t; unfold rec_b, bh
 assert (Ey : forall t, rec_y a1 a2 a3 eps bh (Derive bh) (Derive_n bh 2) (Derive_n bh 3) t = y t).
 { intros t. destruct (H t) as (_ & E & _).
   change (a3 * (y t - 2 * (eps ^ 2 * a2 / (a1 - a3)))
-    = eps ^ 2 * (a3 * bh t - a1 * t * Derive bh t + 2 * Derive bh t) - eps ^ 3 * Derive_n bh 2 t - eps ^ 4 * Derive_n bh 3 t) in E.
+    = eps ^ 2 * (a3 * bh t - a1 * t * Derive bh t + 2 * Derive bh t) - eps ^ 3 * Derive_n bh 2 t
+      - eps ^ 4 * Derive_n bh 3 t) in E.
   unfold rec_y. rewrite <- E. field. repeat split; (assumption || lra). }
 assert (Ev : forall t, rec_v a1 a3 eps bh (Derive bh) (Derive_n bh 2) (Derive_n bh 3) t = v t).
 { intros t. destruct (H t) as (_ & _ & E & _).
-  change (a3 * v t = - eps * (a3 * bh t - a1 * t * Derive bh t) + 2 * eps ^ 2 * Derive_n bh 2 t + eps ^ 3 * Derive_n bh 3 t) in E.
+  change (a3 * v t = - eps * (a3 * bh t - a1 * t * Derive bh t) + 2 * eps ^ 2 * Derive_n bh 2 t
+    + eps ^ 3 * Derive_n bh 3 t) in E.
   unfold rec_v. rewrite <- E. field. auto. }
 assert (Ez : forall t, rec_z a1 a2 a3 eps bh (Derive bh) (Derive_n bh 2) (Derive_n bh 3) t = z t).
 { intros t. destruct (H t) as (_ & _ & _ & E & _).
   change (a3 * (z t - eps ^ 2 * a2 / (a1 - a3))
-    = eps ^ 2 * (a3 * bh t - a1 * t * Derive bh t + Derive bh t) - eps ^ 3 * Derive_n bh 2 t - eps ^ 4 * Derive_n bh 3 t) in E.
+    = eps ^ 2 * (a3 * bh t - a1 * t * Derive bh t + Derive bh t) - eps ^ 3 * Derive_n bh 2 t
+      - eps ^ 4 * Derive_n bh 3 t) in E.
   unfold rec_z. rewrite <- E. field. repeat split; (assumption || lra). }
 intros t. destruct (R t I) as (R1 & R2 & R3 & R4 & R5).
 rewrite Ey, Ez in R2, R4, R5. rewrite Ev in R3. rewrite Eb, Ep in R4. unfold model_at.
@@ -80,7 +89,8 @@ refine (conj _ (conj _ (conj _ (conj _ _)))).
 - exact (is_derive_ext _ _ _ _ Eb R2).
 - exact (is_derive_ext _ _ _ _ Ey R3).
 - exact (is_derive_ext _ _ _ _ Ev R4).
-- apply (is_derive_ext (fun s => eps * rec_z a1 a2 a3 eps bh (Derive bh) (Derive_n bh 2) (Derive_n bh 3) s)); [|exact R5].
+- apply (is_derive_ext (fun s => eps * rec_z a1 a2 a3 eps bh (Derive bh) (Derive_n bh 2) (Derive_n bh 3) s));
+    [|exact R5].
   intros s. rewrite Ez. reflexivity.
 Qed.
 End Deviation.

@@ -1,11 +1,13 @@
 (** * The compliant model: at +oo each derivative of the slow solution outgrows the one before
 
-    J_s >= c e^((M+1)T) from a window of the integral. X = J_(s+1) - M J_s has X' >= M X, since (r - M)^2 >= 0; were it never positive, e^(-MT) J_s
-    would be bounded. So X >= c > 0 for large T when s > -1; integrated downwards it tends to +oo for every s. *)
+    J_s >= c e^((M+1)T) from a window of the integral. X = J_(s+1) - M J_s has X' >= M X, since (r - M)^2 >= 0; were it
+    never positive, e^(-MT) J_s would be bounded. So X >= c > 0 for large T when s > -1; integrated downwards it tends
+    to +oo for every s. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus TruncatedIntegral TruncationLimit GammaFunction LaplaceIntegral ImproperIntegral Family CompliantKernel
+From GSpot Require Import Statement StatementCompliant Calculus TruncatedIntegral TruncationLimit GammaFunction
+  LaplaceIntegral ImproperIntegral Family CompliantKernel
   CompliantIntegral CompliantSlow.
 Open Scope R_scope.
 
@@ -53,7 +55,8 @@ Proof.
 intros Hs. rewrite !(Je_Ie e He) by lra.
 assert (I0 := Ie_correct e s t He Hs). assert (I1 := Ie_correct e (s + 1) t He ltac:(lra)).
 assert (I2 := Ie_correct e (s + 1 + 1) t He ltac:(lra)).
-assert (B := is_RInt_gen_plus _ _ _ _ (is_RInt_gen_minus _ _ _ _ I2 (is_RInt_gen_scal _ (2 * M) _ I1)) (is_RInt_gen_scal _ (M ^ 2) _ I0)).
+assert (B := is_RInt_gen_plus _ _ _ _ (is_RInt_gen_minus _ _ _ _ I2 (is_RInt_gen_scal _ (2 * M) _ I1))
+  (is_RInt_gen_scal _ (M ^ 2) _ I0)).
 apply improper_pos in B.
 - unfold scal, minus, plus, opp in B; simpl in B; unfold mult in B; simpl in B. lra.
 - intros r Hr. unfold scal, minus, plus, opp; simpl; unfold mult; simpl. rewrite !Rpower_S by auto.
@@ -66,7 +69,8 @@ Qed.
 Lemma Je_ratio_aux n : forall s, ok s -> -1 < s + INR n -> forall M, 0 <= M ->
   exists c T, 0 < c /\ 0 <= T /\ forall t, T <= t -> c <= Je e (s + 1) t - M * Je e s t.
 Proof.
-assert (DX : forall s M t, ok s -> is_derive (fun t => Je e (s + 1) t - M * Je e s t) t (Je e (s + 1 + 1) t - M * Je e (s + 1) t)).
+assert (DX : forall s M t, ok s -> is_derive (fun t => Je e (s + 1) t - M * Je e s t) t (Je e (s + 1 + 1) t - M * Je e
+  (s + 1) t)).
 { intros s M t Hs. apply (is_derive_minus (Je e (s + 1)) (fun t => M * Je e s t)).
   - apply (Je_derive e He), ok_S, Hs.
   - apply (is_derive_scal (Je e s)), (Je_derive e He), Hs. }
@@ -94,7 +98,8 @@ induction n as [|n IH]; intros s Hs Hn M HM.
   + exfalso.
     assert (HB : forall t, 0 <= t -> Je e s t * exp (- M * t) <= Je e s 0 * exp (- M * 0)).
     { intros t Ht.
-      apply (decr_of_derive (fun t => Je e s t * exp (- M * t)) (fun t => (Je e (s + 1) t - M * Je e s t) * exp (- M * t)) 0 t Ht).
+      apply (decr_of_derive (fun t => Je e s t * exp (- M * t)) (fun t => (Je e (s + 1) t - M * Je e s t) * exp
+        (- M * t)) 0 t Ht).
       - intros x Hx. eapply is_derive_val.
         + apply (is_derive_mult_R (Je e s) (fun t => exp (- M * t)) x _ (- M * exp (- M * x)) (Je_derive e He s x Hs)).
           auto_derive; auto. ring.

@@ -1,15 +1,17 @@
 (** * The compliant model: flights
 
-    From lift-off on, while y >= z, the motion is b = b0 + a2 u, y a cubic, z = z0 e^(-u/eps), u the time since. The second derivative of the
-    gap y - z does not increase if z0 <= 0: so the gap has one later zero at most, and there it decreases ([one_return]). For a2 < 0 it has
-    one, since the cubic tends to -oo ([flight_ends]); for a2 >= 0 and b0 >= 0 the gap increases for ever ([flight_never_ends]). *)
+    From lift-off on, while y >= z, the motion is b = b0 + a2 u, y a cubic, z = z0 e^(-u/eps), u the time since. The
+    second derivative of the gap y - z does not increase if z0 <= 0: so the gap has one later zero at most, and there it
+    decreases ([one_return]). For a2 < 0 it has one, since the cubic tends to -oo ([flight_ends]); for a2 >= 0 and b0 >=
+    0 the gap increases for ever ([flight_never_ends]). *)
 
 From Coq Require Import Reals Psatz Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import StatementCompliant Calculus CompliantDependence InitialValueProblem CompliantMotion.
 Open Scope R_scope.
 
-Lemma derive_neg_after (f : R -> R) t l : is_derive f t l -> f t = 0 -> l < 0 -> exists d, 0 < d /\ forall s, t < s < t + d -> f s < 0.
+Lemma derive_neg_after (f : R -> R) t l : is_derive f t l -> f t = 0 -> l < 0 -> exists d, 0 < d /\ forall s,
+  t < s < t + d -> f s < 0.
 Proof.
 intros D E Hl. apply is_derive_Reals in D. destruct (D (- l) ltac:(lra)) as (d & Hd).
 exists d. split. apply cond_pos. intros s Hs.
@@ -21,7 +23,8 @@ replace (f s) with (f s / (s - t) * (s - t)) by (field; lra).
 assert (0 < - (f s / (s - t)) * (s - t)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
-(** h(0) = 0, h'(0) > 0, h'' does not increase, h is negative somewhere: h has one zero u > 0, h' < 0 there, and h > 0 before. *)
+(** h(0) = 0, h'(0) > 0, h'' does not increase, h is negative somewhere: h has one zero u > 0, h' < 0 there, and h > 0
+    before. *)
 Section Return.
 Variables h h1 h2 : R -> R.
 Hypothesis D0 : forall u, is_derive h u (h1 u).
@@ -94,7 +97,8 @@ Definition flight_v (t : R) : R := v t0 + b t0 * (t - t0) + a2 * (t - t0) ^ 2 / 
 Definition flight_y (t : R) : R := y t0 + v t0 * (t - t0) + b t0 * (t - t0) ^ 2 / 2 + a2 * (t - t0) ^ 3 / 6.
 Definition flight_z (t : R) : R := z t0 * exp (- (t - t0) / eps).
 
-Lemma flight_model t : flight_z t <= flight_y t -> model_at a1 a2 a3 eps contact_force flight_p flight_b flight_y flight_v flight_z t.
+Lemma flight_model t : flight_z t <= flight_y t -> model_at a1 a2 a3 eps contact_force flight_p flight_b flight_y
+  flight_v flight_z t.
 Proof.
 intros H. unfold model_at.
 assert (E : contact_force eps (flight_y t) (flight_z t) = 0).
@@ -164,7 +168,8 @@ assert (F : b t = flight_b t /\ y t = flight_y t /\ v t = flight_v t /\ z t = fl
 split; auto. destruct F as (_ & -> & _ & ->). generalize (G (t - t0) ltac:(lra)) (gap_flight t). lra.
 Qed.
 
-Theorem flight_persists : 0 < a2 -> 0 <= b t0 -> forall s t, t0 <= s -> s < t -> z t < y t /\ b s < b t /\ v s < v t /\ y s < y t.
+Theorem flight_persists : 0 < a2 -> 0 <= b t0 -> forall s t, t0 <= s -> s < t -> z t < y t /\ b s < b t /\ v s < v t /\
+  y s < y t.
 Proof.
 intros H2 Hb s t Hs Hst.
 assert (F : b s = flight_b s /\ y s = flight_y s /\ v s = flight_v s).
@@ -174,14 +179,19 @@ assert (F : b s = flight_b s /\ y s = flight_y s /\ v s = flight_v s).
 destruct F as (-> & -> & ->). destruct (flight_never_ends (Rlt_le _ _ H2) Hb t ltac:(lra)) as (N & -> & Fy & -> & _).
 split; auto. rewrite Fy. unfold flight_b, flight_y, flight_v.
 assert (V0 : 0 < v t0).
-{ assert (0 <= - z t0 * / eps) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat, Heps]). unfold Rdiv in Hup. lra. }
-set (h := s - t0) in *. set (k := t - s). assert (Hh : 0 <= h) by (unfold h; lra). assert (Hk : 0 < k) by (unfold k; lra).
+{ assert (0 <= - z t0 * / eps) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat, Heps]). unfold Rdiv in Hup.
+  lra. }
+set (h := s - t0) in *. set (k := t - s). assert (Hh : 0 <= h) by (unfold h; lra).
+assert (Hk : 0 < k) by (unfold k; lra).
 replace (t - t0) with (h + k) by (unfold h, k; ring).
 assert (K1 : 0 < a2 * k) by (apply Rmult_lt_0_compat; lra). assert (K2 : 0 <= b t0 * k) by (apply Rmult_le_pos; lra).
 assert (K3 : 0 < v t0 * k) by (apply Rmult_lt_0_compat; lra).
-assert (K4 : 0 <= a2 * k * h) by (apply Rmult_le_pos; lra). assert (K5 : 0 < a2 * k * k) by (apply Rmult_lt_0_compat; lra).
-assert (K6 : 0 <= b t0 * k * h) by (apply Rmult_le_pos; lra). assert (K7 : 0 <= b t0 * k * k) by (apply Rmult_le_pos; lra).
-assert (K8 : 0 <= a2 * k * h * h) by (apply Rmult_le_pos; lra). assert (K9 : 0 <= a2 * k * h * k) by (apply Rmult_le_pos; lra).
+assert (K4 : 0 <= a2 * k * h) by (apply Rmult_le_pos; lra).
+assert (K5 : 0 < a2 * k * k) by (apply Rmult_lt_0_compat; lra).
+assert (K6 : 0 <= b t0 * k * h) by (apply Rmult_le_pos; lra).
+assert (K7 : 0 <= b t0 * k * k) by (apply Rmult_le_pos; lra).
+assert (K8 : 0 <= a2 * k * h * h) by (apply Rmult_le_pos; lra).
+assert (K9 : 0 <= a2 * k * h * k) by (apply Rmult_le_pos; lra).
 assert (K10 : 0 < a2 * k * k * k) by (apply Rmult_lt_0_compat; lra).
 repeat split; lra.
 Qed.
@@ -194,8 +204,10 @@ assert (B : forall u, 0 < u -> v t0 + b t0 * u / 2 + a2 * u ^ 2 / 6 < 0 -> gap u
   assert (E1 := exp_flight 0 u ltac:(lra)). replace (- 0 / eps) with 0 in E1 by (field; lra). rewrite exp_0 in E1.
   assert (0 <= - z t0 * (1 - exp (- u / eps))) by (apply Rmult_le_pos; lra).
   assert (0 < - (v t0 + b t0 * u / 2 + a2 * u ^ 2 / 6) * u) by (apply Rmult_lt_0_compat; lra).
-  replace (- (v t0 + b t0 * u / 2 + a2 * u ^ 2 / 6) * u) with (- (v t0 * u + b t0 * u ^ 2 / 2 + a2 * u ^ 3 / 6)) in * by field. lra. }
-assert (V := Rle_abs (v t0)). assert (V0 := Rabs_pos (v t0)). assert (B1 := Rle_abs (b t0)). assert (B0 := Rabs_pos (b t0)).
+  replace (- (v t0 + b t0 * u / 2 + a2 * u ^ 2 / 6) * u) with (- (v t0 * u + b t0 * u ^ 2 / 2 + a2 * u ^ 3 / 6)) in *
+    by field. lra. }
+assert (V := Rle_abs (v t0)). assert (V0 := Rabs_pos (v t0)). assert (B1 := Rle_abs (b t0)).
+assert (B0 := Rabs_pos (b t0)).
 destruct H as [H|[H Hb]].
 - set (q := 6 * (Rabs (v t0) + Rabs (b t0)) / - a2).
   assert (Hq : 0 <= q) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]).
@@ -213,7 +225,8 @@ destruct H as [H|[H Hb]].
 Qed.
 
 Theorem flight_ends : a2 < 0 \/ a2 = 0 /\ b t0 < 0 -> exists t1 d, t0 < t1 /\ 0 < d /\
-  (forall t, t0 < t < t1 -> z t < y t) /\ y t1 = z t1 /\ v t1 + z t1 / eps < 0 /\ (forall t, t1 < t < t1 + d -> y t < z t) /\
+  (forall t, t0 < t < t1 -> z t < y t) /\ y t1 = z t1 /\ v t1 + z t1 / eps < 0 /\
+    (forall t, t1 < t < t1 + d -> y t < z t) /\
   forall t, t0 <= t <= t1 -> b t = flight_b t /\ y t = flight_y t /\ v t = flight_v t /\ z t = flight_z t.
 Proof.
 intros H. destruct gap_start as (G0 & G1).
@@ -222,10 +235,12 @@ destruct (one_return gap gap1 gap2 gap_derive gap1_derive G0 G1) as (u & Hu & E 
   assert (a2 * t <= a2 * s) by (destruct H as [H|[H _]]; [nra|rewrite H; lra]).
   assert (Ex := exp_flight s t (proj2 Hst)).
   assert (0 <= / eps ^ 2) by (apply Rlt_le, Rinv_0_lt_compat, pow_lt, Heps).
-  assert (0 <= - z t0 * / eps ^ 2 * (exp (- s / eps) - exp (- t / eps))) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
+  assert (0 <= - z t0 * / eps ^ 2 * (exp (- s / eps) - exp (- t / eps))) by (apply Rmult_le_pos; [apply Rmult_le_pos|];
+    lra).
   unfold Rdiv in *. lra. }
 { apply gap_negative, H. }
-assert (F : forall t, t0 <= t <= t0 + u -> b t = flight_b t /\ y t = flight_y t /\ v t = flight_v t /\ z t = flight_z t).
+assert (F : forall t, t0 <= t <= t0 + u -> b t = flight_b t /\ y t = flight_y t /\ v t = flight_v t /\
+  z t = flight_z t).
 { apply follows_flight. intros t Ht. assert (Eg := gap_flight t).
   destruct (Req_dec t t0) as [->|N0]. { rewrite Rminus_eq_0 in Eg. lra. }
   destruct (Req_dec t (t0 + u)) as [->|N1]. { replace (t0 + u - t0) with u in Eg by ring. lra. }
@@ -234,8 +249,10 @@ destruct (F (t0 + u) ltac:(lra)) as (Fb & Fy & Fv & Fz).
 assert (Et : y (t0 + u) = z (t0 + u)).
 { rewrite Fy, Fz. assert (Eg := gap_flight (t0 + u)). replace (t0 + u - t0) with u in Eg by ring. lra. }
 assert (Ed : v (t0 + u) + z (t0 + u) / eps < 0).
-{ rewrite Fv, Fz. unfold flight_v, flight_z. replace (t0 + u - t0) with u by ring. unfold gap1 in Hd. unfold Rdiv in *. lra. }
-destruct (derive_neg_after (fun s => y s - z s) (t0 + u) (v (t0 + u) + z (t0 + u) / eps)) as (d & Hd0 & Hafter); auto; try lra.
+{ rewrite Fv, Fz. unfold flight_v, flight_z. replace (t0 + u - t0) with u by ring. unfold gap1 in Hd. unfold Rdiv in *.
+  lra. }
+destruct (derive_neg_after (fun s => y s - z s) (t0 + u) (v (t0 + u) + z (t0 + u) / eps)) as (d & Hd0 & Hafter); auto;
+  try lra.
 { destruct (Hm (t0 + u) ltac:(lra)) as (_ & _ & Dy & _ & Dz).
   assert (E0 : contact_force eps (y (t0 + u)) (z (t0 + u)) = 0) by (unfold contact_force; destruct Rlt_dec; auto; lra).
   rewrite E0 in Dz. eapply is_derive_val. apply (is_derive_minus y z). exact Dy. apply (z_derive eps Heps), Dz.
@@ -257,7 +274,8 @@ apply Rmult_le_pos. lra. apply Rlt_le, Rinv_0_lt_compat, pow_lt, He.
 Qed.
 
 Lemma z_weighted (eps lo hi : R) (z force : R -> R) : 0 < eps -> lo <= hi ->
-  (forall t, lo <= t <= hi -> is_derive (fun s => eps * z s) t (- z t - eps ^ 2 * force t)) -> (forall t, lo <= t <= hi -> 0 <= force t) ->
+  (forall t, lo <= t <= hi -> is_derive (fun s => eps * z s) t (- z t - eps ^ 2 * force t)) ->
+    (forall t, lo <= t <= hi -> 0 <= force t) ->
   z hi * exp (hi / eps) <= z lo * exp (lo / eps).
 Proof.
 intros He Hlh D Hf.

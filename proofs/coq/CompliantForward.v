@@ -1,11 +1,12 @@
 (** * The compliant model: motions with compl2
 
-    A force that tends to +oo drives z and y to -oo. Data on the slow manifold: impact without collision ([IWC_forward]). Case II for any motion from
-    t = -oo. *)
+    A force that tends to +oo drives z and y to -oo. Data on the slow manifold: impact without collision
+    ([IWC_forward]). Case II for any motion from t = -oo. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus Gronwall GammaFunction LaplaceIntegral Family CompliantKernel
+From GSpot Require Import Statement StatementCompliant Calculus Gronwall GammaFunction LaplaceIntegral Family
+  CompliantKernel
   CompliantIntegral CompliantSlow CompliantMechanism CompliantCone CompliantUnique CompliantContact CompliantDependence.
 Open Scope R_scope.
 
@@ -105,9 +106,9 @@ refine (conj Hcon (conj _ (conj Hinf' _))).
   intros t Ht. apply (H t Ht).
 Qed.
 
-(** *** Case II from t = -oo. 0 < beta < 1, a2 > 0; any solution of the mechanism's equations (with compl2) on R that is in
-    contact for t < t1 and whose b does not grow exponentially as t -> -oo: either contact is never lost (and the motion is the
-    trivial one, or the force increases strictly to +oo), or the force decreases strictly until lift-off.
+(** *** Case II from t = -oo. 0 < beta < 1, a2 > 0; any solution of the mechanism's equations (with compl2) on R that is
+    in contact for t < t1 and whose b does not grow exponentially as t -> -oo: either contact is never lost (and the
+    motion is the trivial one, or the force increases strictly to +oo), or the force decreases strictly until lift-off.
     Which of the two is decided by the force at any one time before t1. *)
 Theorem case_II (t1 : R) (p b y v z : R -> R) :
   a3 / a1 < 1 -> 0 < a2 -> (forall t, p t = a1 * t) ->
@@ -148,13 +149,15 @@ assert (Gn : Gamma (- (a3 / a1)) < 0) by (apply Gamma_neg; lra).
 assert (HF : forall t, Derive (Fe (- a1 * eps) (a3 / a1)) t < 0).
 { intros t. apply (IWC_eps (- a1 * eps) (He' a1 eps Ha1 Heps) (a3 / a1) ltac:(lra) 1 t). lia. }
 assert (Hk := k_pos a3 eps Ha3 Heps).
-assert (EF : forall t, sol_l a1 a2 a3 eps C t = a2 / (a3 - a1) + / (- a3 * eps) * (C * Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps))).
+assert (EF : forall t, sol_l a1 a2 a3 eps C t = a2 / (a3 - a1)
+  + / (- a3 * eps) * (C * Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps))).
 { intros t. unfold sol_l. field. split; lra. }
 destruct (Rtotal_order C 0) as [HC0|[HC0|HC0]].
 - right; left.
   assert (HCG : 0 < C * Gamma (- (a3 / a1))) by nra.
   assert (Hpos : forall t, 0 < sol_l a1 a2 a3 eps C t) by (apply force_sign; auto; lra).
-  assert (E : forall t, lam t = sol_l a1 a2 a3 eps C t) by (intros t; apply (Agree t); [intros; apply Rlt_le, Hpos|lra]).
+  assert (E : forall t, lam t = sol_l a1 a2 a3 eps C t)
+    by (intros t; apply (Agree t); [intros; apply Rlt_le, Hpos|lra]).
   assert (Hyz : forall t, y t < z t).
   { intros t. destruct (Agree t (fun s _ => Rlt_le _ _ (Hpos s)) t ltac:(lra)) as (E1 & E2 & _).
     rewrite E1, E2. apply (linear_force_pos eps); auto. rewrite sol_force; auto. }
@@ -164,7 +167,8 @@ destruct (Rtotal_order C 0) as [HC0|[HC0|HC0]].
   refine (conj Hyz (conj _ (conj _ (conj Hinf _)))).
   + intros t. rewrite E, EF. specialize (HF (t / eps)).
     assert (0 < C * Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)) by nra.
-    assert (0 < / (- a3 * eps) * (C * Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps))) by (apply Rmult_lt_0_compat; auto). lra.
+    assert (0 < / (- a3 * eps) * (C * Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps))) by (apply Rmult_lt_0_compat; auto).
+    lra.
   + intros s t Hst. rewrite !E. apply sol_l_increasing; auto; lra.
   + apply (penetrate eps t1 y z lam Heps); auto. intros t _. apply (H t).
 - left.
@@ -191,8 +195,10 @@ destruct (Rtotal_order C 0) as [HC0|[HC0|HC0]].
     rewrite Rmult_assoc, Rinv_l, Rmult_1_r, Rmult_0_l in E3 by lra. lra.
   + intros t Ht. destruct (Agree t2 Hge t ltac:(lra)) as (_ & _ & E3). rewrite E3, EF. specialize (HF (t / eps)).
     assert (0 < C * - Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)) by (apply Rmult_lt_0_compat; lra).
-    assert (0 < / (- a3 * eps) * (C * - Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps))) by (apply Rmult_lt_0_compat; auto). lra.
-  + intros s t Hst Ht. destruct (Agree t2 Hge t Ht) as (_ & _ & E3). destruct (Agree t2 Hge s ltac:(lra)) as (_ & _ & E4).
+    assert (0 < / (- a3 * eps) * (C * - Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)))
+      by (apply Rmult_lt_0_compat; auto). lra.
+  + intros s t Hst Ht. destruct (Agree t2 Hge t Ht) as (_ & _ & E3).
+    destruct (Agree t2 Hge s ltac:(lra)) as (_ & _ & E4).
     rewrite E3, E4. apply Hdec, Hst.
 Qed.
 

@@ -1,13 +1,15 @@
 (** * The compliant model: contacts that last for ever
 
-    In contact let lambda be the force, W = - v/eps, G = - (b + p lambda), S = W + G, D = eps lambda', q = - p, A = - eps a2,
-    kappa = eps (a1 - a3), and ' the derivative times eps. Then lambda' = D, D' = - 2 D + S, W' = G, G' = q D - kappa lambda + A, q' = - eps a1.
-    For suitable combinations the off-diagonal entries are >= 0, so that they stay >= 0 ([NonnegativeOrthant.v]). The motion with the linear
-    law of force then has a force >= 0, hence is that of the mechanism. [below_one]: beta <= 1; [cone_kept], [cone_grows]: beta > 1. *)
+    In contact let lambda be the force, W = - v/eps, G = - (b + p lambda), S = W + G, D = eps lambda', q = - p, A = -
+    eps a2, kappa = eps (a1 - a3), and ' the derivative times eps. Then lambda' = D, D' = - 2 D + S, W' = G, G' = q D -
+    kappa lambda + A, q' = - eps a1. For suitable combinations the off-diagonal entries are >= 0, so that they stay >= 0
+    ([NonnegativeOrthant.v]). The motion with the linear law of force then has a force >= 0, hence is that of the
+    mechanism. [below_one]: beta <= 1; [cone_kept], [cone_grows]: beta > 1. *)
 
 From Coq Require Import Reals Psatz Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import StatementCompliant StatementFlight Calculus CompliantDependence InitialValueProblem CompliantMotion CompliantMechanism CompliantForward
+From GSpot Require Import StatementCompliant StatementFlight Calculus CompliantDependence InitialValueProblem
+  CompliantMotion CompliantMechanism CompliantForward
   NonnegativeOrthant.
 Import ListNotations.
 Open Scope R_scope.
@@ -87,7 +89,8 @@ apply (is_derive_ext (fun t => / eps ^ 2 * (Y t - 2 * Z t - eps * V t))).
 eapply is_derive_val.
 - apply (is_derive_scal (fun t => Y t - 2 * Z t - eps * V t)).
   apply (is_derive_minus (fun t => Y t - 2 * Z t) (fun t => eps * V t)).
-  apply (is_derive_minus Y (fun t => 2 * Z t)). exact Dy. apply (is_derive_scal Z), Z_derive. apply (is_derive_scal V), Dv.
+  apply (is_derive_minus Y (fun t => 2 * Z t)). exact Dy. apply (is_derive_scal Z), Z_derive.
+  apply (is_derive_scal V), Dv.
 - unfold minus, plus, opp; simpl. unfold D, S, W, G, force_rate, deceleration, L, linear_force. field. lra.
 Qed.
 
@@ -124,7 +127,8 @@ assert (M : - (D t * exp (2 * t / eps)) <= - (D t0 * exp (2 * t0 / eps))).
       auto_derive; auto. unfold Rdiv; ring.
     + field. lra.
   - intros s Hs. assert (0 <= S s * exp (2 * s / eps) / eps); [|lra].
-    apply Rmult_le_pos. apply Rmult_le_pos. apply HS; lra. apply Rlt_le, exp_pos. apply Rlt_le, Rinv_0_lt_compat, Heps. }
+    apply Rmult_le_pos. apply Rmult_le_pos. apply HS; lra. apply Rlt_le, exp_pos.
+    apply Rlt_le, Rinv_0_lt_compat, Heps. }
 assert (E0 := exp_pos (2 * t0 / eps)). assert (E1 := exp_pos (2 * t / eps)).
 assert (0 < D t0 * exp (2 * t0 / eps)) by (apply Rmult_lt_0_compat; auto).
 apply Rmult_lt_reg_r with (exp (2 * t / eps)); auto. lra.
@@ -132,17 +136,21 @@ Qed.
 
 (** What makes the mechanism's motion through the same state one of contact for ever. *)
 Definition grows_from (t0 : R) : Prop :=
-  (forall t, t0 <= t -> 0 <= L t) /\ (forall t, t0 <= t -> 0 < D t) /\ (forall M, exists T, forall t, T <= t -> M <= L t).
+  (forall t, t0 <= t -> 0 <= L t) /\ (forall t, t0 <= t -> 0 < D t) /\ (forall M, exists T, forall t, T <= t ->
+    M <= L t).
 
 Theorem grows t0 p b y v z : mechanism_from a1 a2 a3 eps t0 p b y v z ->
-  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 -> grows_from t0 -> contact_for_ever eps t0 y z.
+  p t0 = P t0 -> b t0 = B t0 -> y t0 = Y t0 -> v t0 = V t0 -> z t0 = Z t0 -> grows_from t0 ->
+    contact_for_ever eps t0 y z.
 Proof.
 intros Hm Ep Eb Ey Ev Ez (HL & HD & Hinf).
-assert (Hl : forall t, t0 <= t -> contact_force eps (Y t) (Z t) = L t) by (intros t Ht; apply contact_force_in_contact; auto; apply HL, Ht).
+assert (Hl : forall t, t0 <= t -> contact_force eps (Y t) (Z t) = L t) by (intros t Ht; apply contact_force_in_contact;
+  auto; apply HL, Ht).
 assert (HM : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V Z t).
 { intros t Ht. assert (M := Hlin t). unfold model_at in *. rewrite (Hl t Ht). exact M. }
 assert (U : forall t, t0 <= t -> y t = Y t /\ z t = Z t).
-{ intros t Ht. destruct (forward_unique a1 a2 a3 eps Heps p b y v z P B Y V Z t0 t (fun s Hs => Hm s (proj1 Hs)) (fun s Hs => HM s (proj1 Hs))
+{ intros t Ht. destruct (forward_unique a1 a2 a3 eps Heps p b y v z P B Y V Z t0 t (fun s Hs => Hm s (proj1 Hs))
+    (fun s Hs => HM s (proj1 Hs))
     Ep Eb Ey Ev Ez t ltac:(lra)) as (_ & _ & E1 & _ & E2). auto. }
 assert (Hc : forall t, t0 < t -> y t < z t).
 { intros t Ht. destruct (U t ltac:(lra)) as (-> & ->). apply (linear_force_pos eps); auto. change (0 < L t).
@@ -151,7 +159,8 @@ assert (Hc : forall t, t0 < t -> y t < z t).
   assert (0 < D c / eps * (t - t0)); [|lra]. apply Rmult_lt_0_compat. apply Rdiv_lt_0_compat; auto. lra. }
 assert (Hf : forall M, exists T, forall t, T <= t -> M <= contact_force eps (y t) (z t)).
 { intros M. destruct (Hinf M) as (T & HT). exists (Rmax T t0). intros t Ht.
-  assert (M1 := Rmax_l T t0). assert (M2 := Rmax_r T t0). destruct (U t ltac:(lra)) as (-> & ->). rewrite Hl by lra. apply HT. lra. }
+  assert (M1 := Rmax_l T t0). assert (M2 := Rmax_r T t0). destruct (U t ltac:(lra)) as (-> & ->). rewrite Hl by lra.
+  apply HT. lra. }
 refine (conj Hc (conj Hf _)).
 apply (penetrate eps t0 y z (fun t => contact_force eps (y t) (z t)) Heps); auto. intros t Ht. apply (Hm t Ht).
 Qed.
@@ -166,7 +175,8 @@ apply (follows_to_infinity eps t0 L (fun t => D t + 2 * L t) Heps).
 - intros t Ht. specialize (HD t Ht). lra.
 - assert (G0 : forall M, exists T', T <= T' /\ forall t, T' <= t -> M <= D t + 2 * L t).
   { apply (grow (fun t => D t + 2 * L t) (fun t => S t / eps) (c / eps) T).
-    - intros t. eapply is_derive_val. apply (is_derive_plus D (fun t => 2 * L t)). apply D_derive. apply (is_derive_scal L), L_derive.
+    - intros t. eapply is_derive_val. apply (is_derive_plus D (fun t => 2 * L t)). apply D_derive.
+      apply (is_derive_scal L), L_derive.
       unfold plus; simpl. field. lra.
     - apply Rdiv_lt_0_compat; auto.
     - intros t Ht. apply Rmult_le_compat_r. apply Rlt_le, Rinv_0_lt_compat, Heps. auto. }
@@ -174,7 +184,8 @@ apply (follows_to_infinity eps t0 L (fun t => D t + 2 * L t) Heps).
 Qed.
 
 (** ** beta <= 1 (Theorem F2) *)
-Theorem below_one t0 : a1 <= a3 -> a2 <= 0 -> 0 <= q t0 -> 0 <= L t0 -> 0 <= W t0 -> 0 <= G t0 -> 0 < D t0 -> grows_from t0.
+Theorem below_one t0 : a1 <= a3 -> a2 <= 0 -> 0 <= q t0 -> 0 <= L t0 -> 0 <= W t0 -> 0 <= G t0 -> 0 < D t0 ->
+  grows_from t0.
 Proof.
 intros H13 H2 Hq HL HW HG HD.
 assert (Hkappa : kappa <= 0).
@@ -186,7 +197,8 @@ set (comps := [(L, D); (D, fun t => - 2 * D t + S t); (W, G); (G, G')] : list co
 assert (O : forall t x x', t0 <= t -> In (x, x') comps -> 0 <= x t).
 { intros t x x' Ht Hx. apply (orthant_kept eps (1 + q t + - kappa) t0 t comps Heps) with (x' := x'); auto; try lra.
   - intros f f' s Hf _. unfold comps in Hf. simpl in Hf.
-    destruct Hf as [E|[E|[E|[E|[]]]]]; injection E as <- <-; [apply L_derive|apply D_derive|apply W_derive|apply G_derive].
+    destruct Hf as [E|[E|[E|[E|[]]]]]; injection E as <- <-;
+      [apply L_derive|apply D_derive|apply W_derive|apply G_derive].
   - intros f f' Hf. unfold comps in Hf. simpl in Hf. destruct Hf as [E|[E|[E|[E|[]]]]]; injection E as <- _; lra.
   - intros s m Hs Hm Hall.
     assert (ML : - m <= L s) by (apply (Hall L D); simpl; auto).
@@ -195,10 +207,12 @@ assert (O : forall t x x', t0 <= t -> In (x, x') comps -> 0 <= x t).
     assert (MG : - m <= G s) by (apply (Hall G G'); simpl; auto).
     assert (Q0 := Hqt s (proj1 Hs)). assert (Qs : q s <= q t).
     { rewrite (q_affine s t). assert (0 <= - a1 * (t - s)) by (apply Rmult_le_pos; lra). lra. }
-    assert (K1 : 0 <= q t * m) by (apply Rmult_le_pos; lra). assert (K2 : 0 <= - kappa * m) by (apply Rmult_le_pos; lra).
+    assert (K1 : 0 <= q t * m) by (apply Rmult_le_pos; lra).
+    assert (K2 : 0 <= - kappa * m) by (apply Rmult_le_pos; lra).
     intros f f' Hf Ef. simpl in Hf.
     destruct Hf as [E|[E|[E|[E|[]]]]]; injection E as <- <-; unfold S, G'; try lra.
-    assert (0 <= q s * (D s + m)) by (apply Rmult_le_pos; lra). assert (0 <= - kappa * (L s + m)) by (apply Rmult_le_pos; lra).
+    assert (0 <= q s * (D s + m)) by (apply Rmult_le_pos; lra).
+    assert (0 <= - kappa * (L s + m)) by (apply Rmult_le_pos; lra).
     assert (0 <= (q t - q s) * m) by (apply Rmult_le_pos; lra). lra. }
 assert (OL : forall t, t0 <= t -> 0 <= L t) by (intros t Ht; apply (O t L D Ht); simpl; auto).
 assert (OD : forall t, t0 <= t -> 0 <= D t) by (intros t Ht; apply (O t D (fun t => - 2 * D t + S t) Ht); simpl; auto).
@@ -215,19 +229,22 @@ exists (G (t0 + 1)), (t0 + 1). split.
 - destruct (mvt_open G (fun t => G' t / eps) t0 (t0 + 1) ltac:(lra) (fun s _ => G_derive s)) as (c & Hc & E).
   assert (0 < G' c / eps * (t0 + 1 - t0)); [|lra]. apply Rmult_lt_0_compat; [|lra]. apply Rdiv_lt_0_compat; auto.
   unfold G'. assert (0 < q c * D c).
-  { apply Rmult_lt_0_compat. rewrite (q_affine t0 c). assert (0 < - a1 * (c - t0)) by (apply Rmult_lt_0_compat; lra). lra. apply Pos; lra. }
+  { apply Rmult_lt_0_compat. rewrite (q_affine t0 c). assert (0 < - a1 * (c - t0)) by (apply Rmult_lt_0_compat; lra).
+    lra. apply Pos; lra. }
   assert (0 <= - kappa * L c) by (apply Rmult_le_pos; [lra|apply OL; lra]). lra.
 - intros t Ht. assert (- G t <= - G (t0 + 1)).
   { apply (decr_of_derive (fun t => - G t) (fun t => - (G' t / eps)) (t0 + 1) t Ht).
     + intros s _. apply (is_derive_opp G), G_derive.
-    + intros s Hs. assert (0 <= G' s / eps); [|lra]. apply Rmult_le_pos. apply Gup; lra. apply Rlt_le, Rinv_0_lt_compat, Heps. }
+    + intros s Hs. assert (0 <= G' s / eps); [|lra]. apply Rmult_le_pos. apply Gup; lra.
+      apply Rlt_le, Rinv_0_lt_compat, Heps. }
   unfold S. generalize (OW t ltac:(lra)). lra.
 Qed.
 
 End Linear.
 
 (** It is enough to look at the motion with the linear law through the same state. *)
-Theorem contact_lasts (a1 a2 a3 eps t0 : R) (p b y v z : R -> R) : 0 < eps -> mechanism_from a1 a2 a3 eps t0 p b y v z ->
+Theorem contact_lasts (a1 a2 a3 eps t0 : R) (p b y v z : R -> R) : 0 < eps ->
+  mechanism_from a1 a2 a3 eps t0 p b y v z ->
   (forall P B Y V Z, (forall t, model_at a1 a2 a3 eps linear_force P B Y V Z t) ->
      P t0 = p t0 -> B t0 = b t0 -> Y t0 = y t0 -> V t0 = v t0 -> Z t0 = z t0 -> grows_from eps Y V Z t0) ->
   contact_for_ever eps t0 y z.

@@ -1,8 +1,9 @@
 (** * The compliant model: contacts that last for ever, beta > 1
 
-    The variables of [CompliantGrowth.v]. [growth_set]: for a > 0 and q >= kappa/a + 2a + a^2 the set L, W, G >= 0, D >= a L, S >= a (2 + a) L is kept,
-    and lambda grows like e^(aT) (Theorem F3 of flight.md). [entrance]: before q has this size a set with two more inequalities is kept, which
-    lies in the first one when q has grown so far (Theorem F4). Both by [orthant_kept]. *)
+    The variables of [CompliantGrowth.v]. [growth_set]: for a > 0 and q >= kappa/a + 2a + a^2 the set L, W, G >= 0, D >=
+    a L, S >= a (2 + a) L is kept, and lambda grows like e^(aT) (Theorem F3 of flight.md). [entrance]: before q has this
+    size a set with two more inequalities is kept, which lies in the first one when q has grown so far (Theorem F4).
+    Both by [orthant_kept]. *)
 
 From Coq Require Import Reals Psatz Lra Lia List.
 From Coquelicot Require Import Coquelicot.
@@ -41,7 +42,8 @@ Proof. split. apply Rmult_le_pos; auto. apply Rlt_le, Rinv_0_lt_compat, Ha. fiel
 
 Lemma q_monotone s t : s <= t -> q s <= q t.
 Proof.
-intros H. rewrite (q_affine a1 a2 a3 eps P B Y V Z Hlin s t). assert (0 <= - a1 * (t - s)) by (apply Rmult_le_pos; lra). lra.
+intros H. rewrite (q_affine a1 a2 a3 eps P B Y V Z Hlin s t). assert (0 <= - a1 * (t - s)) by (apply Rmult_le_pos; lra).
+lra.
 Qed.
 
 Definition f (t : R) : R := D t - a * L t.
@@ -50,7 +52,8 @@ Definition f' (t : R) : R := - 2 * D t + S t - a * D t.
 Lemma f_derive t : is_derive f t (f' t / eps).
 Proof.
 eapply is_derive_val. apply (is_derive_minus D (fun t => a * L t)). apply (D_derive a1 a2 a3 eps Heps P B Y V Z Hlin).
-apply (is_derive_scal L), (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin). unfold minus, plus, opp; simpl. unfold f'. field. lra.
+apply (is_derive_scal L), (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin). unfold minus, plus, opp; simpl. unfold f'. field.
+lra.
 Qed.
 
 Section Kept.
@@ -63,8 +66,10 @@ Definition g' (t : R) : R := G t + G' t - a * (2 + a) * D t.
 
 Lemma g_derive t : is_derive g t (g' t / eps).
 Proof.
-eapply is_derive_val. apply (is_derive_minus S (fun t => a * (2 + a) * L t)). apply (S_derive a1 a2 a3 eps Heps P B Y V Z Hlin).
-apply (is_derive_scal L), (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin). unfold minus, plus, opp; simpl. unfold g'. field. lra.
+eapply is_derive_val. apply (is_derive_minus S (fun t => a * (2 + a) * L t)).
+apply (S_derive a1 a2 a3 eps Heps P B Y V Z Hlin).
+apply (is_derive_scal L), (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin). unfold minus, plus, opp; simpl. unfold g'. field.
+lra.
 Qed.
 
 Lemma set_kept t : t0 <= t -> 0 <= L t /\ 0 <= W t /\ 0 <= f t /\ 0 <= g t /\ 0 <= G t.
@@ -75,7 +80,8 @@ assert (O : forall x x', In (x, x') comps -> 0 <= x t).
 { intros x x' Hx. apply (orthant_kept eps (2 + 2 * a + q t + a * q t) t0 t comps Heps) with (x' := x'); auto; try lra.
   - intros w w' s Hw _. unfold comps in Hw. simpl in Hw.
     destruct Hw as [E|[E|[E|[E|[E|[]]]]]]; injection E as <- <-;
-      [apply (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply (W_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply f_derive|apply g_derive|
+      [apply (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply (W_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply
+        f_derive|apply g_derive|
        apply (G_derive a1 a2 a3 eps Heps P B Y V Z Hlin)].
   - intros w w' Hw. unfold comps in Hw. simpl in Hw. unfold f, g in Hw.
     destruct Hw as [E|[E|[E|[E|[E|[]]]]]]; injection E as <- _; lra.
@@ -101,7 +107,8 @@ assert (O : forall x x', In (x, x') comps -> 0 <= x t).
     + unfold f in Mf. rewrite Ew in Mf. lra.
     + lra.
     + assert (E1 : f' s = g s - (2 + a) * f s) by (unfold f', f, g; ring). rewrite E1, Ew. lra.
-    + assert (E1 : g' s = G s + r * f s + (r * a - kappa) * L s + A) by (unfold g', CompliantGrowth.G', f, r; ring). rewrite E1.
+    + assert (E1 : g' s = G s + r * f s + (r * a - kappa) * L s + A) by (unfold g', CompliantGrowth.G', f, r; ring).
+      rewrite E1.
       assert (0 <= r * (f s + m)) by (apply Rmult_le_pos; lra).
       assert (0 <= (r * a - kappa) * (L s + m)) by (apply Rmult_le_pos; lra).
       assert (0 <= a * a ^ 2 * m) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
@@ -118,15 +125,19 @@ Qed.
 Theorem growth_set : grows_from eps Y V Z t0.
 Proof.
 assert (a2p : 0 < a * (2 + a)) by (apply Rmult_lt_0_compat; lra).
-assert (HS : forall t, t0 <= t -> a * (2 + a) * L t <= S t) by (intros t Ht; destruct (set_kept t Ht) as (_ & _ & _ & H & _); unfold g in H; lra).
+assert (HS : forall t, t0 <= t -> a * (2 + a) * L t <= S t)
+  by (intros t Ht; destruct (set_kept t Ht) as (_ & _ & _ & H & _); unfold g in H; lra).
 assert (HL : forall t, t0 <= t -> 0 <= L t) by (intros t Ht; apply (set_kept t Ht)).
 assert (Pos : forall t, t0 <= t -> 0 < D t).
 { apply (D_positive a1 a2 a3 eps Heps P B Y V Z Hlin). 2: apply H0.
   intros t Ht. assert (0 <= a * (2 + a) * L t) by (apply Rmult_le_pos; auto; lra). generalize (HS t Ht). lra. }
 refine (conj HL (conj Pos _)).
 assert (Up : forall s t, t0 <= s -> s < t -> L s < L t).
-{ intros s t Hs Hst. destruct (mvt_open L (fun t => D t / eps) s t Hst (fun r _ => L_derive a1 a2 a3 eps Heps P B Y V Z Hlin r)) as (c & Hc & E).
-  assert (0 < D c / eps * (t - s)); [|lra]. apply Rmult_lt_0_compat; [|lra]. apply Rdiv_lt_0_compat; auto. apply Pos. lra. }
+{ intros s t Hs Hst.
+  destruct (mvt_open L (fun t => D t / eps) s t Hst (fun r _ => L_derive a1 a2 a3 eps Heps P B Y V Z Hlin r))
+    as (c & Hc & E).
+  assert (0 < D c / eps * (t - s)); [|lra]. apply Rmult_lt_0_compat; [|lra]. apply Rdiv_lt_0_compat; auto. apply Pos.
+  lra. }
 apply (force_to_infinity a1 a2 a3 eps Heps P B Y V Z Hlin t0).
 - intros t Ht. apply Rlt_le, Pos, Ht.
 - exists (a * (2 + a) * L (t0 + 1)), (t0 + 1). split.
@@ -142,7 +153,8 @@ Section Entrance.
 Variables (t0 c : R).
 Hypothesis Ha' : a < 1.
 Hypothesis Hc : 0 < c.
-Hypothesis H0 : 0 <= L t0 /\ 0 <= W t0 /\ 0 < S t0 /\ a * L t0 <= D t0 /\ a * (D t0 + 2 * L t0) <= S t0 /\ a * S t0 <= G t0 /\ c * S t0 <= D t0.
+Hypothesis H0 : 0 <= L t0 /\ 0 <= W t0 /\ 0 < S t0 /\ a * L t0 <= D t0 /\ a * (D t0 + 2 * L t0) <= S t0 /\
+  a * S t0 <= G t0 /\ c * S t0 <= D t0.
 Hypothesis Hk : a ^ 2 <= (1 - a) * c * (q t0 - kappa / a).
 Hypothesis Hm : c * A <= (1 - 3 * c - c ^ 2 * enough) * S t0.
 
@@ -159,7 +171,8 @@ assert (DL := L_derive a1 a2 a3 eps Heps P B Y V Z Hlin t). assert (DD := D_deri
 assert (DS := S_derive a1 a2 a3 eps Heps P B Y V Z Hlin t). assert (DG := G_derive a1 a2 a3 eps Heps P B Y V Z Hlin t).
 fold (S' t) in DS. refine (conj _ (conj _ (conj _ _))).
 - eapply is_derive_val. apply (is_derive_minus S (fun t => a * (D t + 2 * L t))). exact DS.
-  apply (is_derive_scal (fun t => D t + 2 * L t)). apply (is_derive_plus D (fun t => 2 * L t)). exact DD. apply (is_derive_scal L), DL.
+  apply (is_derive_scal (fun t => D t + 2 * L t)). apply (is_derive_plus D (fun t => 2 * L t)). exact DD.
+  apply (is_derive_scal L), DL.
   unfold minus, plus, opp; simpl. field. lra.
 - eapply is_derive_val. apply (is_derive_minus S (fun _ => S t0)). exact DS. apply (is_derive_const (S t0)).
   unfold minus, plus, opp, zero; simpl. ring.
@@ -169,18 +182,25 @@ fold (S' t) in DS. refine (conj _ (conj _ (conj _ _))).
   unfold minus, plus, opp; simpl. field. lra.
 Qed.
 
+(** Plan: [orthant_kept] for the seven components L, W, f, late_g, late_s, late_k, late_m. What it asks is shown one
+    component after the other: its derivative, written by the components (E1), has coefficients >= 0 off the diagonal
+    while q <= enough (R1 to R8 are the products of such bounds with m). *)
 Lemma late_kept t1 t : q t1 <= enough -> t0 <= t <= t1 ->
   0 <= L t /\ 0 <= W t /\ 0 <= f t /\ 0 <= late_g t /\ 0 <= late_s t /\ 0 <= late_k t /\ 0 <= late_m t.
 Proof.
 intros Hq1 Ht. destruct kappa_a as (K0 & Ka). assert (HA := A_nonnegative).
 destruct H0 as (H0L & H0W & H0S & H0f & H0g & H0k & H0m).
-set (comps := [(L, D); (W, G); (f, f'); (late_g, fun t => S' t - a * S t); (late_s, S'); (late_k, fun t => G' t - a * S' t);
+set (comps := [(L, D); (W, G); (f, f'); (late_g, fun t => S' t - a * S t); (late_s, S');
+  (late_k, fun t => G' t - a * S' t);
   (late_m, fun t => - 2 * D t + S t - c * S' t)] : list component).
 assert (O : forall x x', In (x, x') comps -> 0 <= x t).
-{ intros x x' Hx. apply (orthant_kept eps (2 + a + c + enough * (1 + c) + kappa / a + c * kappa) t0 t1 comps Heps) with (x' := x'); auto.
+{ intros x x' Hx.
+  apply (orthant_kept eps (2 + a + c + enough * (1 + c) + kappa / a + c * kappa) t0 t1 comps Heps) with (x' := x');
+    auto.
   - intros w w' s Hw _. unfold comps in Hw. simpl in Hw. destruct (late_derives s) as (D1 & D2 & D3 & D4).
     destruct Hw as [E|[E|[E|[E|[E|[E|[E|[]]]]]]]]; injection E as <- <-; auto;
-      [apply (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply (W_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply f_derive].
+      [apply (L_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply (W_derive a1 a2 a3 eps Heps P B Y V Z Hlin)|apply
+        f_derive].
   - intros w w' Hw. unfold comps in Hw. simpl in Hw.
     destruct Hw as [E|[E|[E|[E|[E|[E|[E|[]]]]]]]]; injection E as <- _; unfold f, late_g, late_s, late_k, late_m; lra.
   - intros s m Hs Hmm Hall.
@@ -195,7 +215,8 @@ assert (O : forall x x', In (x, x') comps -> 0 <= x t).
     set (r := q s - kappa / a). set (r0 := q t0 - kappa / a).
     assert (r00 : 0 <= r0).
     { apply Rnot_lt_le. intros Hn. assert (0 < (1 - a) * c) by (apply Rmult_lt_0_compat; lra).
-      assert (0 <= (1 - a) * c * - r0) by (apply Rmult_le_pos; lra). assert (0 < a ^ 2) by (apply pow_lt, Ha). unfold r0 in *. lra. }
+      assert (0 <= (1 - a) * c * - r0) by (apply Rmult_le_pos; lra). assert (0 < a ^ 2) by (apply pow_lt, Ha).
+      unfold r0 in *. lra. }
     assert (Hr : r0 <= r <= enough) by (unfold r, r0; lra).
     assert (R1 : 0 <= (enough - r) * m) by (apply Rmult_le_pos; lra).
     assert (R2 : 0 <= (enough - r) * (c * m)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]).
@@ -219,11 +240,14 @@ assert (O : forall x x', In (x, x') comps -> 0 <= x t).
     + assert (E1 : f' s = late_g s - 2 * f s) by (unfold f', late_g, f; ring). rewrite E1, Ew. lra.
     + assert (E1 : S' s - a * S s = late_k s + G' s) by (unfold S', late_k; ring). rewrite E1, EG. lra.
     + assert (E1 : S' s = late_k s + a * S s + G' s) by (unfold S', late_k; ring). rewrite E1, EG. lra.
-    + assert (E1 : G' s - a * S' s = - a * late_k s + (1 - a) * (r * late_m s + kappa / a * f s + A) + ((1 - a) * c * r - a ^ 2) * S s).
-      { unfold S'. replace (G' s - a * (G s + G' s)) with ((1 - a) * G' s - a * G s) by ring. rewrite EG. unfold late_k. ring. }
+    + assert (E1 : G' s - a * S' s = - a * late_k s + (1 - a) * (r * late_m s + kappa / a * f s + A)
+        + ((1 - a) * c * r - a ^ 2) * S s).
+      { unfold S'. replace (G' s - a * (G s + G' s)) with ((1 - a) * G' s - a * G s) by ring. rewrite EG. unfold late_k.
+        ring. }
       rewrite E1, Ew.
       assert (B1 : 0 <= (1 - a) * (r * (late_m s + m) + kappa / a * (f s + m) + A)) by (apply Rmult_le_pos; lra).
-      assert (B2 : 0 <= a * (r * m)) by (apply Rmult_le_pos; lra). assert (B3 : 0 <= a * (kappa / a * m)) by (apply Rmult_le_pos; lra).
+      assert (B2 : 0 <= a * (r * m)) by (apply Rmult_le_pos; lra).
+      assert (B3 : 0 <= a * (kappa / a * m)) by (apply Rmult_le_pos; lra).
       assert (B4 : 0 <= (1 - a) * c * r - a ^ 2).
       { assert (0 <= (1 - a) * c * (r - r0)) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). unfold r0 in *. lra. }
       assert (B5 : 0 <= ((1 - a) * c * r - a ^ 2) * (S s + m)) by (apply Rmult_le_pos; lra).
@@ -237,7 +261,8 @@ assert (O : forall x x', In (x, x') comps -> 0 <= x t).
       assert (c2 : 0 <= c ^ 2) by (apply pow_le; lra).
       assert (C1 : 0 <= c ^ 2 * (enough - q s)) by (apply Rmult_le_pos; lra).
       assert (C0 : 0 <= 1 - 3 * c - c ^ 2 * enough).
-      { apply Rnot_lt_le. intros Hn. assert (0 < - (1 - 3 * c - c ^ 2 * enough) * S t0) by (apply Rmult_lt_0_compat; lra).
+      { apply Rnot_lt_le. intros Hn.
+        assert (0 < - (1 - 3 * c - c ^ 2 * enough) * S t0) by (apply Rmult_lt_0_compat; lra).
         assert (0 <= c * A) by (apply Rmult_le_pos; lra). lra. }
       assert (C2 : 0 <= c ^ 2 * (enough - q s) * S t0) by (apply Rmult_le_pos; lra).
       assert (C3 : 0 <= (1 - 3 * c - c ^ 2 * q s) * (late_s s + m)) by (apply Rmult_le_pos; lra).
@@ -249,12 +274,14 @@ assert (O : forall x x', In (x, x') comps -> 0 <= x t).
       assert (C8 : 0 <= enough * m) by lra.
       rewrite Es. lra. }
 refine (conj (O L D _) (conj (O W G _) (conj (O f f' _) (conj (O late_g (fun t => S' t - a * S t) _)
-  (conj (O late_s S' _) (conj (O late_k (fun t => G' t - a * S' t) _) (O late_m (fun t => - 2 * D t + S t - c * S' t) _))))))); simpl; auto 10.
+  (conj (O late_s S' _) (conj (O late_k (fun t => G' t - a * S' t) _) (O late_m (fun t => - 2 * D t + S t - c * S' t)
+    _))))))); simpl; auto 10.
 Qed.
 
 Theorem entrance : grows_from eps Y V Z t0.
 Proof.
-assert (Into : forall t, enough <= q t -> 0 <= L t -> 0 <= W t -> 0 < S t -> 0 <= f t -> 0 <= late_g t -> 0 <= late_k t -> 0 <= late_m t ->
+assert (Into : forall t, enough <= q t -> 0 <= L t -> 0 <= W t -> 0 < S t -> 0 <= f t -> 0 <= late_g t ->
+  0 <= late_k t -> 0 <= late_m t ->
   grows_from eps Y V Z t).
 { intros t Hq HL HW HS Hf Hg HG HD. unfold f, late_g, late_k, late_m in *.
   assert (0 < a * S t) by (apply Rmult_lt_0_compat; auto). assert (0 < c * S t) by (apply Rmult_lt_0_compat; auto).

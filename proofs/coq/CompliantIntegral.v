@@ -1,7 +1,7 @@
 (** * The compliant model: the integral for every s
 
-    J_s ([Je e s]) continues I_s to all s but -1, -2, ... by the moment recurrence downwards. J_s' = J_(s+1); J_s -> +oo as T -> +oo;
-    J_s(-x) x^(s+1) -> Gamma(s + 1) as x -> +oo (Watson's lemma, with remainder). *)
+    J_s ([Je e s]) continues I_s to all s but -1, -2, ... by the moment recurrence downwards. J_s' = J_(s+1); J_s -> +oo
+    as T -> +oo; J_s(-x) x^(s+1) -> Gamma(s + 1) as x -> +oo (Watson's lemma, with remainder). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -55,7 +55,8 @@ induction n as [|n IH]; intros s t Hs Hn.
 - simpl in Hn. simpl. assert (H := Ie_recurrence e s t He ltac:(lra)).
   assert (H1 := ok_neq s Hs).
   apply (Rmult_eq_reg_l (s + 1)); auto.
-  match goal with |- _ * (- ?X / _) = _ => replace ((s + 1) * (- X / (s + 1))) with (- X) by (field; split; lra || (repeat split; lra)) end.
+  match goal with |- _ * (- ?X / _) = _ => replace ((s + 1) * (- X / (s + 1))) with (- X)
+    by (field; split; lra || (repeat split; lra)) end.
   lra.
 - rewrite S_INR in Hn.
   change (- ((s + 2 + t) * Jn (S n) e (s + 1) t + t * Jn (S n) e (s + 2) t
@@ -305,7 +306,8 @@ induction n as [|n IH]; intros s Hs Hn.
     (Gamma (s + 1 + 1) - (s + 2) * (Gamma (s + 1 + 1) * 0) + Gamma (s + 2 + 1) * 0
      + 2 / e * (Gamma (s + 3 + 1) * 0) + 1 / e * (Gamma (s + 4 + 1) * 0))).
   2: { rewrite (Gamma_rec (s + 1)) by auto. field. lra. }
-  assert (M : forall k m l, (0 < m)%nat -> is_lim (f k) p_infty (Finite l) -> is_lim (fun x => f k x * / x ^ m) p_infty (l * 0)).
+  assert (M : forall k m l, (0 < m)%nat -> is_lim (f k) p_infty (Finite l) -> is_lim (fun x => f k x * / x ^ m) p_infty
+    (l * 0)).
   { intros k m l Hm Hl. apply (is_lim_mult _ (fun x => / x ^ m) p_infty l 0); [exact Hl| |exact I].
     apply lim_inv_pow, Hm. }
   apply (is_lim_scal_l _ (/ (s + 1)) p_infty (Finite (Gamma (s + 1 + 1) - (s + 2) * (Gamma (s + 1 + 1) * 0)

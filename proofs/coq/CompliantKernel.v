@@ -1,8 +1,8 @@
 (** * The compliant model: the kernel
 
-    I_s(T) = int_0^oo r^s e^(psi(r)/e + rT) dr, psi(r) = r - r^2/2 - r^3/3 - ln(1 + r), s > -1 ([Ie e s T]): it converges and is positive;
-    I_s' = I_(s+1), since |e^(rh) - 1 - rh| <= (rh)^2 e^r for |h| <= 1; the moment recurrence, from the total derivative of
-    r^(s+1) (1 + r) e^(psi/e + rT). *)
+    I_s(T) = int_0^oo r^s e^(psi(r)/e + rT) dr, psi(r) = r - r^2/2 - r^3/3 - ln(1 + r), s > -1 ([Ie e s T]): it
+    converges and is positive; I_s' = I_(s+1), since |e^(rh) - 1 - rh| <= (rh)^2 e^r for |h| <= 1; the moment
+    recurrence, from the total derivative of r^(s+1) (1 + r) e^(psi/e + rT). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.

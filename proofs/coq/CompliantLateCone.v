@@ -1,13 +1,15 @@
 (** * The compliant model: a set of states with p < 0, for every beta, from which contact is never lost
 
-    With w0 = b less its trivial part, ' = eps d/dt: w0' = w1, w1' = w2, w2' = w3, w3' = a3 eps w0 + (-p + eps (a3 - a1)) w1 - p w2 - 2 w3 in contact, and
-    w1 is a positive multiple of the force less its mean. In w0, f = w1 - w0, h = w2 - w1, k = w3 - w2 - 2 w1 this reads w0' = f + w0, f' = h,
-    h' = k + 2 f + 2 w0 and k' = -3 k + (a combination that is > 0 with w0, f, h > 0 if -p >= 6 - 2 a3 eps). So all four stay > 0, and contact with them,
-    by induction along the time axis. The slow motions on the side of impact without collision are in the set for all large t. *)
+    With w0 = b less its trivial part, ' = eps d/dt: w0' = w1, w1' = w2, w2' = w3, w3' = a3 eps w0 + (-p + eps (a3 -
+    a1)) w1 - p w2 - 2 w3 in contact, and w1 is a positive multiple of the force less its mean. In w0, f = w1 - w0, h =
+    w2 - w1, k = w3 - w2 - 2 w1 this reads w0' = f + w0, f' = h, h' = k + 2 f + 2 w0 and k' = -3 k + (a combination that
+    is > 0 with w0, f, h > 0 if -p >= 6 - 2 a3 eps). So all four stay > 0, and contact with them, by induction along the
+    time axis. The slow motions on the side of impact without collision are in the set for all large t. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral CompliantSlow
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral CompliantSlow
   CompliantMechanism CompliantExcess CompliantDominance.
 Open Scope R_scope.
 
@@ -47,13 +49,16 @@ apply (decr_of_derive p (fun _ => a1) t0 t Ht); intros s Hs; [apply (H s); lra|l
 Qed.
 
 Lemma cone_derive t : t0 <= t -> y t < z t ->
-  is_derive d0 t (d1 t) /\ is_derive w t ((f t + w t) / eps) /\ is_derive f t (- a3 * h t) /\ is_derive h t ((k t + 2 * d0 t) / eps) /\
+  is_derive d0 t (d1 t) /\ is_derive w t ((f t + w t) / eps) /\ is_derive f t (- a3 * h t) /\
+    is_derive h t ((k t + 2 * d0 t) / eps) /\
   is_derive k t ((- 3 * k t + (- p t - 5) * (h t + d0 t) + (- p t - 6 + eps * (a3 - a1)) * d0 t - w t) / eps).
 Proof.
 intros Ht Hc.
-destruct (excess_derive a1 a2 a3 eps Ha13 Heps p b y v z t (in_contact a1 a2 a3 eps p b y v z t (H t Ht) Hc)) as (Dw & D0 & D1 & D2).
+destruct (excess_derive a1 a2 a3 eps Ha13 Heps p b y v z t (in_contact a1 a2 a3 eps p b y v z t (H t Ht) Hc))
+  as (Dw & D0 & D1 & D2).
 fold (w t) (d0 t) (d1 t) (d2 t) in *.
-assert (L : forall (f1 f2 : R -> R) c1 c2 l1 l2, is_derive f1 t l1 -> is_derive f2 t l2 -> is_derive (fun t => c1 * f1 t - c2 * f2 t) t (c1 * l1 - c2 * l2)).
+assert (L : forall (f1 f2 : R -> R) c1 c2 l1 l2, is_derive f1 t l1 -> is_derive f2 t l2 ->
+  is_derive (fun t => c1 * f1 t - c2 * f2 t) t (c1 * l1 - c2 * l2)).
 { intros f1 f2 c1 c2 l1 l2 E1 E2. apply (is_derive_minus (fun t => c1 * f1 t) (fun t => c2 * f2 t)).
   apply (is_derive_scal f1), E1. apply (is_derive_scal f2), E2. }
 refine (conj D0 (conj _ (conj _ (conj _ _)))).
@@ -66,14 +71,16 @@ refine (conj D0 (conj _ (conj _ (conj _ _)))).
   apply (is_derive_val _ _ _ _ (L d1 d0 _ _ _ _ D1 D0)). unfold k. field. lra.
 - apply (is_derive_ext (fun t => eps ^ 2 * d2 t - 1 * (eps * d1 t - (- 2) * d0 t))).
   { intros x. match goal with |- ?l = ?r => change (@eq R l r) end. unfold k. ring. }
-  apply (is_derive_val _ _ _ _ (L d2 (fun t => eps * d1 t - (- 2) * d0 t) _ _ _ _ D2 (L d1 d0 _ _ _ _ D1 D0))). unfold k, h. field. lra.
+  apply (is_derive_val _ _ _ _ (L d2 (fun t => eps * d1 t - (- 2) * d0 t) _ _ _ _ D2 (L d1 d0 _ _ _ _ D1 D0))).
+  unfold k, h. field. lra.
 Qed.
 
 Definition In_cone (t : R) : Prop := y t < z t /\ late_cone a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
 
 Lemma in_cone t : In_cone t <-> y t < z t /\ 0 < w t /\ 0 < f t /\ 0 < h t /\ 0 < k t.
 Proof.
-unfold In_cone, late_cone, f, h, k, w, d0, d1, d2, deviation, excess, excess1, excess2. cbv zeta. split; intros (A & B & C & D & E); repeat split; lra.
+unfold In_cone, late_cone, f, h, k, w, d0, d1, d2, deviation, excess, excess1, excess2. cbv zeta.
+split; intros (A & B & C & D & E); repeat split; lra.
 Qed.
 
 Lemma cone_signs t : 0 < w t -> 0 < f t -> 0 < d0 t.
@@ -81,6 +88,9 @@ Proof.
 intros A B. unfold f in B. assert (C : 0 < - a3 * eps) by nra. apply (pos_of_prod_pos (- a3 * eps)); auto; lra.
 Qed.
 
+(** Plan: by induction along the time axis. The conditions are open, so they last a little longer. If they hold on [t0,
+    t), then w, f, h, the excess d0 and k e^(3s/eps) increase there (G, from the derivatives of [cone_derive]): so they
+    are still > 0 at t. *)
 Theorem late_contact : In_cone t0 -> forall t, t0 <= t -> In_cone t.
 Proof.
 intros HP0. apply real_induction; auto.
@@ -96,7 +106,8 @@ intros HP0. apply real_induction; auto.
   apply in_cone. repeat split; auto; lra.
 - intros t Ht HP. apply in_cone in HP0. destruct HP0 as (A & A0 & A1 & A2 & A3).
   destruct (cone_ex t (Rlt_le _ _ Ht)) as (X0 & X1 & X2 & X3).
-  assert (G : forall (g g' : R -> R), ex_derive g t -> (forall s, t0 <= s < t -> is_derive g s (g' s) /\ 0 <= g' s) -> g t0 <= g t).
+  assert (G : forall (g g' : R -> R), ex_derive g t -> (forall s, t0 <= s < t -> is_derive g s (g' s) /\ 0 <= g' s) ->
+    g t0 <= g t).
   { intros g g' Xg Hg. apply (closed_ge g t0 t (g t0) Ht Xg). intros s Hs.
     apply Ropp_le_cancel. apply (decr_of_derive (fun x => - g x) (fun x => - g' x) t0 s (proj1 Hs)).
     - intros x Hx. apply (is_derive_opp g), Hg. lra.
@@ -115,7 +126,8 @@ intros HP0. apply real_induction; auto.
   { apply (G h (fun s => (k s + 2 * d0 s) / eps) X2). intros s Hs. destruct (HQ s Hs) as (P & P0 & P1 & P2 & P3 & P4).
     destruct (cone_derive s ltac:(lra) P) as (_ & _ & _ & D & _). split; [exact D|apply Rmult_le_pos; lra]. }
   assert (G3 : k t0 * exp (3 * t0 / eps) <= k t * exp (3 * t / eps)).
-  { apply (G (fun s => k s * exp (3 * s / eps)) (fun s => ((- p s - 5) * (h s + d0 s) + (- p s - 6 + eps * (a3 - a1)) * d0 s - w s)
+  { apply (G (fun s => k s * exp (3 * s / eps)) (fun s =>
+      ((- p s - 5) * (h s + d0 s) + (- p s - 6 + eps * (a3 - a1)) * d0 s - w s)
        / eps * exp (3 * s / eps))).
     - auto_derive; auto.
     - intros s Hs. destruct (HQ s Hs) as (P & P0 & P1 & P2 & P3 & P4).
@@ -137,7 +149,8 @@ intros HP0. apply real_induction; auto.
   apply in_cone. refine (conj _ (conj _ (conj _ (conj _ K3)))); try lra.
   assert (G4 : d0 t0 <= d0 t).
   { apply (G d0 (fun s => d1 s)).
-    - destruct (late_state_ex t (Rlt_le _ _ Ht)) as (_ & _ & Xy & _ & Xz). unfold d0, excess, force_excess. auto_derive. auto.
+    - destruct (late_state_ex t (Rlt_le _ _ Ht)) as (_ & _ & Xy & _ & Xz). unfold d0, excess, force_excess. auto_derive.
+      auto.
     - intros s Hs. destruct (HQ s Hs) as (P & P0 & P1 & P2 & P3 & P4).
       destruct (cone_derive s ltac:(lra) P) as (D & _). split; [exact D|].
       unfold h in P2. apply Rlt_le, (pos_of_prod_pos eps); auto. lra. }
@@ -181,8 +194,10 @@ Qed.
 End Cone.
 
 (** The slow motions on the side of impact without collision come into the cone. *)
-Theorem slow_in_late_cone (a1 a2 a3 eps C : R) : a1 < 0 -> a3 < 0 -> 0 < eps -> not_nat (a3 / a1) -> 0 < C * Gamma (- (a3 / a1)) ->
-  exists T, 0 <= T /\ forall t, T <= t -> late_cone a1 a2 a3 eps (sol_p a1 t) (sol_b a1 a2 a3 eps C t) (sol_y a1 a2 a3 eps C t)
+Theorem slow_in_late_cone (a1 a2 a3 eps C : R) : a1 < 0 -> a3 < 0 -> 0 < eps -> not_nat (a3 / a1) ->
+  0 < C * Gamma (- (a3 / a1)) ->
+  exists T, 0 <= T /\ forall t, T <= t -> late_cone a1 a2 a3 eps (sol_p a1 t) (sol_b a1 a2 a3 eps C t)
+    (sol_y a1 a2 a3 eps C t)
     (sol_v a1 a3 eps C t) (sol_z a1 a2 a3 eps C t).
 Proof.
 intros Ha1 Ha3 He Hb HC. assert (Ha13 := a13 a1 a3 Ha1 Hb).
@@ -200,7 +215,8 @@ assert (G0 : 1 <= g 0%nat) by (apply F0; lra). assert (G1 : 1 * g 0%nat < g 1%na
 assert (G2 : 1 * g 1%nat < g 2%nat) by (apply F2; lra). assert (G3 : 3 * g 2%nat < g 3%nat) by (apply F3; lra).
 set (q := C / Gamma (- (a3 / a1))).
 assert (Hq : 0 < q).
-{ unfold q. replace (C / Gamma (- (a3 / a1))) with (C * Gamma (- (a3 / a1)) * (/ Gamma (- (a3 / a1))) ^ 2) by (field; auto).
+{ unfold q. replace (C / Gamma (- (a3 / a1))) with (C * Gamma (- (a3 / a1)) * (/ Gamma (- (a3 / a1))) ^ 2)
+    by (field; auto).
   apply Rmult_lt_0_compat; auto. apply pow2_gt_0, Rinv_neq_0_compat, Hg. }
 assert (Eh : forall n, eps ^ n * hb a1 a3 eps C n t = q * g n).
 { intros n. unfold hb, q, g. field. split; auto. apply pow_nonzero; lra. }
@@ -211,22 +227,28 @@ assert (P2 : 0 < q * (g 2%nat - g 1%nat)) by (apply Rmult_lt_0_compat; lra).
 assert (P3 : 0 < q * (g 3%nat - g 2%nat - 2 * g 1%nat)) by (apply Rmult_lt_0_compat; lra).
 assert (Hi : 0 < / (- a3 * eps)) by (apply Rinv_0_lt_compat; nra).
 unfold late_cone. cbv zeta. unfold sol_p, sol_b, sol_y, sol_v, sol_z, rec_p.
-assert (D0 : force_excess a1 a2 a3 eps (rec_y a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
-  (rec_z a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t) = / (- a3 * eps) * (q * g 1%nat)).
+assert (D0 : force_excess a1 a2 a3 eps (rec_y a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2)
+  (hb a1 a3 eps C 3) t)
+  (rec_z a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
+    = / (- a3 * eps) * (q * g 1%nat)).
 { rewrite <- E1. unfold force_excess, rec_y, rec_z. field. repeat split; lra. }
-assert (D1 : eps * force_excess1 eps (rec_y a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
+assert (D1 : eps * force_excess1 eps (rec_y a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2)
+  (hb a1 a3 eps C 3) t)
   (rec_v a1 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
-  (rec_z a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t) = / (- a3 * eps) * (q * g 2%nat)).
+  (rec_z a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
+    = / (- a3 * eps) * (q * g 2%nat)).
 { rewrite <- E2. unfold force_excess1, rec_y, rec_v, rec_z. field. repeat split; lra. }
 assert (D2 : eps ^ 2 * force_excess2 eps (a1 * t) (rec_b a1 a2 a3 (hb a1 a3 eps C 0) t)
   (rec_y a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
   (rec_v a1 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
-  (rec_z a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t) = / (- a3 * eps) * (q * g 3%nat)).
+  (rec_z a1 a2 a3 eps (hb a1 a3 eps C 0) (hb a1 a3 eps C 1) (hb a1 a3 eps C 2) (hb a1 a3 eps C 3) t)
+    = / (- a3 * eps) * (q * g 3%nat)).
 { rewrite <- E3. unfold force_excess2, rec_b, rec_y, rec_v, rec_z. field. repeat split; lra. }
 rewrite D0, D1, D2. simpl pow in E0. rewrite Rmult_1_l in E0.
 refine (conj _ (conj _ (conj _ _))).
 - unfold rec_b. rewrite E0. lra.
-- unfold rec_b. rewrite E0. replace (- a3 * eps * (/ (- a3 * eps) * (q * g 1%nat))) with (q * g 1%nat) by (field; lra). lra.
+- unfold rec_b. rewrite E0. replace (- a3 * eps * (/ (- a3 * eps) * (q * g 1%nat))) with (q * g 1%nat) by (field; lra).
+  lra.
 - nra.
 - nra.
 Qed.

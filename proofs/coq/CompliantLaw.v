@@ -1,13 +1,16 @@
 (** * The compliant model: the number of zeros for 1 < beta < 4
 
-    Theorem D of proofs/finite_epsilon_zeros.md, section 4 (a). F_b' = - b F_(b-1), F_b > 0 far to the left, Gamma(-b) F_b -> +oo to the right, and
-    Gamma(-b) F_b(0) < 0 ([CompliantPower.v]). So the zeros of F_b follow from those of F_(b-1): b in (0, 1): F_b decreases, one zero; (1, 2): it decreases and
-    then increases, one zero on each side of 0; (2, 3): it is positive left of 0 and up to the second zero of F_(b-1), decreases after it, one zero. For b in (3, 4) it
-    decreases up to the zero of F_(b-1) and increases from there. The force of a slow motion less its mean is a multiple of F_(beta-1). *)
+    Theorem D of proofs/finite_epsilon_zeros.md, section 4 (a). F_b' = - b F_(b-1), F_b > 0 far to the left, Gamma(-b)
+    F_b -> +oo to the right, and Gamma(-b) F_b(0) < 0 ([CompliantPower.v]). So the zeros of F_b follow from those of
+    F_(b-1): b in (0, 1): F_b decreases, one zero; (1, 2): it decreases and then increases, one zero on each side of 0;
+    (2, 3): it is positive left of 0 and up to the second zero of F_(b-1), decreases after it, one zero. For b in (3, 4)
+    it decreases up to the zero of F_(b-1) and increases from there. The force of a slow motion less its mean is a
+    multiple of F_(beta-1). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family Ends SignPattern CompliantKernel
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family Ends SignPattern
+  CompliantKernel
   CompliantIntegral CompliantSlow CompliantMechanism CompliantSlowMotion CompliantPower.
 Import ListNotations.
 Open Scope R_scope.
@@ -111,10 +114,13 @@ Theorem zeros_0 b : 0 < b < 1 -> exists z, 0 < z /\ line_pattern (Fe e b) (slope
 Proof.
 intros H. destruct (Gamma_cell 0 b ltac:(simpl; lra)) as [Hb HG]. simpl in HG.
 assert (Down : forall t, 1 * slope b t < 0).
-{ intros t. apply slope_sign; [lra|]. assert (P := Fe_sign e He (b - 1) 0 (not_nat_pred b Hb) ltac:(simpl; lra) t). simpl in P.
-  assert (0 < Gamma (- (b - 1))) by (apply Gamma_pos; lra). rewrite Rmult_1_l. apply (pos_of_prod_pos (Gamma (- (b - 1)))); auto. }
+{ intros t. apply slope_sign; [lra|]. assert (P := Fe_sign e He (b - 1) 0 (not_nat_pred b Hb) ltac:(simpl; lra) t).
+  simpl in P.
+  assert (0 < Gamma (- (b - 1))) by (apply Gamma_pos; lra). rewrite Rmult_1_l.
+  apply (pos_of_prod_pos (Gamma (- (b - 1)))); auto. }
 assert (P0 : 0 < 1 * Fe e b 0) by (assert (A := slow_at_0 e He b Hb ltac:(lra)); nra).
-destruct (cross_right (Fe e b) (slope b) (fun t => slow_derive b t Hb) 1 0 (fun t _ => Down t) P0) as (z & Hz & E & P & N).
+destruct (cross_right (Fe e b) (slope b) (fun t => slow_derive b t Hb) 1 0 (fun t _ => Down t) P0)
+  as (z & Hz & E & P & N).
 { destruct (slow_right_end b Hb 0) as (T & HT & G). exists T. split; [auto|nra]. }
 exists z. split; auto. cbn [line_pattern pattern]. refine (conj _ (conj E (conj (Down z) _))).
 - intros t Ht. destruct (Rle_lt_dec 0 t) as [L|L]; [apply P; lra|].
@@ -125,7 +131,8 @@ Qed.
 Theorem zeros_1 b : 1 < b < 2 -> exists x x', x < 0 < x' /\ line_pattern (Fe e b) (slope b) 1 [x; x'].
 Proof.
 intros H. destruct (Gamma_cell 1 b ltac:(simpl; lra)) as [Hb HG]. simpl in HG.
-destruct (zeros_0 (b - 1) ltac:(lra)) as (m & Hm & Pm). cbn [line_pattern pattern] in Pm. destruct Pm as (Lm & Em & Sm & Um).
+destruct (zeros_0 (b - 1) ltac:(lra)) as (m & Hm & Pm). cbn [line_pattern pattern] in Pm.
+destruct Pm as (Lm & Em & Sm & Um).
 assert (V : valley (Fe e b) (slope b) m).
 { refine (conj _ (conj _ (conj (slow_left_end b Hb m) _))).
   - intros t Ht. rewrite <- (Rmult_1_l (slope b t)). apply slope_sign; [lra|auto].
@@ -152,13 +159,15 @@ assert (Left : forall t, t <= 0 -> 0 < 1 * Fe e b t).
   - assert (A := slow_at_0 e He b Hb ltac:(lra)). nra. }
 assert (Up : forall t, 0 < t <= x' -> 0 < 1 * Fe e b t).
 { intros t Ht. assert (F := falls (Fe e b) (slope b) D (-1) 0 t (proj1 Ht)). specialize (Left 0 ltac:(lra)).
-  enough (-1 * Fe e b t < -1 * Fe e b 0) by lra. apply F. intros u Hu. apply slope_sign; [lra|]. specialize (Mid u ltac:(lra)). lra. }
+  enough (-1 * Fe e b t < -1 * Fe e b 0) by lra. apply F. intros u Hu. apply slope_sign; [lra|].
+  specialize (Mid u ltac:(lra)). lra. }
 destruct (cross_right (Fe e b) (slope b) D 1 x') as (z & Hz & E & P & N).
 { intros t Ht. apply slope_sign; [lra|]. specialize (Far t Ht). lra. }
 { apply Up. lra. }
 { destruct (slow_right_end b Hb x') as (T & HT & G). exists T. split; [auto|nra]. }
 exists z. split; [lra|]. cbn [line_pattern pattern]. refine (conj _ (conj E (conj _ _))).
-- intros t Ht. destruct (Rle_lt_dec t 0) as [L|L]; [apply Left, L|]. destruct (Rle_lt_dec t x') as [L'|L']; [apply Up; lra|apply P; lra].
+- intros t Ht. destruct (Rle_lt_dec t 0) as [L|L]; [apply Left, L|].
+  destruct (Rle_lt_dec t x') as [L'|L']; [apply Up; lra|apply P; lra].
 - apply slope_sign; [lra|]. specialize (Far z Hz). lra.
 - intros t Ht. specialize (N t Ht). lra.
 Qed.
@@ -166,7 +175,8 @@ Qed.
 Theorem valley_3 b : 3 < b < 4 -> exists m, 0 < m /\ valley (Fe e b) (slope b) m.
 Proof.
 intros H. destruct (Gamma_cell 3 b ltac:(simpl; lra)) as [Hb HG]. simpl in HG.
-destruct (zeros_2 (b - 1) ltac:(lra)) as (m & Hm & Pm). cbn [line_pattern pattern] in Pm. destruct Pm as (Lm & Em & Sm & Um).
+destruct (zeros_2 (b - 1) ltac:(lra)) as (m & Hm & Pm). cbn [line_pattern pattern] in Pm.
+destruct Pm as (Lm & Em & Sm & Um).
 exists m. split; auto. refine (conj _ (conj _ (conj (slow_left_end b Hb m) _))).
 - intros t Ht. rewrite <- (Rmult_1_l (slope b t)). apply slope_sign; [lra|auto].
 - intros t Ht. enough (-1 * slope b t < 0) by lra. apply slope_sign; [lra|]. specialize (Um t Ht). lra.
@@ -175,7 +185,8 @@ Qed.
 End Slow.
 
 (** ** The zeros as a list; of the force *)
-Lemma pattern_simple (f f' : R -> R) s l : (forall t, is_derive f t (f' t)) -> line_pattern f f' s l -> simple_zeros f l.
+Lemma pattern_simple (f f' : R -> R) s l : (forall t, is_derive f t (f' t)) -> line_pattern f f' s l ->
+  simple_zeros f l.
 Proof.
 intros D P. split; [split|].
 - exact (line_pattern_sorted f f' s l P).
@@ -185,17 +196,20 @@ intros D P. split; [split|].
 Qed.
 
 (** 3 < b < 4: a negative value is enough for two zeros. *)
-Theorem two_zeros_if_negative e b T : 0 < e -> 3 < b < 4 -> Fe e b T < 0 -> exists s t, s < t /\ simple_zeros (Fe e b) [s; t].
+Theorem two_zeros_if_negative e b T : 0 < e -> 3 < b < 4 -> Fe e b T < 0 -> exists s t, s < t /\
+  simple_zeros (Fe e b) [s; t].
 Proof.
 intros He H HT. destruct (valley_3 e He b H) as (m & _ & V). assert (Hb := proj1 (Gamma_cell 3 b ltac:(simpl; lra))).
 assert (D := fun t => slow_derive e He b t Hb).
 assert (Hm : Fe e b m < 0).
 { destruct (Req_dec T m) as [<-|Hne]; auto. assert (L := valley_least _ _ D m T V Hne). lra. }
-destruct (valley_zeros _ _ D m V Hm) as (s & t & Hst & P). exists s, t. split; [lra|]. exact (pattern_simple _ _ _ _ D P).
+destruct (valley_zeros _ _ D m V Hm) as (s & t & Hst & P). exists s, t. split; [lra|].
+exact (pattern_simple _ _ _ _ D P).
 Qed.
 
 (** A multiple of f in another unit of time. *)
-Lemma simple_zeros_scale (f g : R -> R) c eps l : c <> 0 -> 0 < eps -> (forall t, ex_derive f t) -> (forall t, g t = c * f (t / eps)) ->
+Lemma simple_zeros_scale (f g : R -> R) c eps l : c <> 0 -> 0 < eps -> (forall t, ex_derive f t) ->
+  (forall t, g t = c * f (t / eps)) ->
   simple_zeros f l -> simple_zeros g (map (Rmult eps) l).
 Proof.
 intros Hc He D E ((S & Z) & N). split; [split|].
@@ -229,7 +243,8 @@ destruct Hpar as (H1 & H3 & He & Hb). exists (C * (a3 / a1) / (a3 * eps)). split
   + apply Rmult_integral_contrapositive_currified; auto.
   + apply Rinv_neq_0_compat, Rmult_integral_contrapositive_currified; lra.
 - intros t. rewrite (slow_force a1 a2 a3 eps Hpar C P B Y V Z HS t). unfold sol_l.
-  rewrite (is_derive_unique _ _ _ (Fe_derive (- a1 * eps) ltac:(nra) (a3 / a1) (t / eps) Hb)). set (mean := a2 / (a3 - a1)). field. repeat split; lra.
+  rewrite (is_derive_unique _ _ _ (Fe_derive (- a1 * eps) ltac:(nra) (a3 / a1) (t / eps) Hb)).
+  set (mean := a2 / (a3 - a1)). field. repeat split; lra.
 Qed.
 
 Lemma force_zeros_from (l : list R) : simple_zeros (Fe (- a1 * eps) (a3 / a1 - 1)) l ->

@@ -1,7 +1,7 @@
 (** * The compliant model: eps -> 0
 
-    -(rho eta)^3 2/3 <= psi(rho eta) <= -(rho eta)^3/3 and psi(r) + 2 r^3/3 <= r^4/4 give the distance of the slow solution from Theta with an
-    explicit error of known sign. *)
+    -(rho eta)^3 2/3 <= psi(rho eta) <= -(rho eta)^3/3 and psi(r) + 2 r^3/3 <= r^4/4 give the distance of the slow
+    solution from Theta with an explicit error of known sign. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -102,7 +102,8 @@ assert (B2 : A <= - (r ^ 3 / 6)).
   replace (- (r ^ 3 / 6) * (2 * eta ^ 3)) with (- ((eta * r) ^ 3 / 3)) by field. apply psi_upper; lra. }
 assert (B3 : A + r ^ 3 / 3 <= eta * r ^ 4 / 8).
 { apply Rmult_le_reg_r with (2 * eta ^ 3). lra. unfold A.
-  replace ((psi (eta * r) / (2 * eta ^ 3) + r ^ 3 / 3) * (2 * eta ^ 3)) with (psi (eta * r) + 2 * (eta * r) ^ 3 / 3) by (field; lra).
+  replace ((psi (eta * r) / (2 * eta ^ 3) + r ^ 3 / 3) * (2 * eta ^ 3)) with (psi (eta * r) + 2 * (eta * r) ^ 3 / 3)
+    by (field; lra).
   replace (eta * r ^ 4 / 8 * (2 * eta ^ 3)) with ((eta * r) ^ 4 / 4) by field. apply psi_quartic; lra. }
 replace (r * t - r ^ 3 / 3) with (- (r ^ 3 / 3) + r * t) by ring.
 replace (r * t - r ^ 3 / 6) with (- (r ^ 3 / 6) + r * t) by ring.
@@ -139,12 +140,14 @@ apply (is_RInt_gen_scal _ (Rpower eta (- (s + 1)))) in A.
 assert (A' : is_RInt_gen (fun r => Rpower r s * exp (psi (eta * r) / (2 * eta ^ 3) + r * t))
    (at_right 0) (Rbar_locally p_infty) (Rpower eta (- (s + 1)) * Ie (2 * eta ^ 3) s (t / eta))).
 { eapply improper_ext; [|exact A]. intros r Hr.
-  change (Rpower eta (- (s + 1)) * (eta * (Rpower (eta * r) s * exp (psi (eta * r) / (2 * eta ^ 3) + eta * r * (t / eta))))
+  change (Rpower eta
+    (- (s + 1)) * (eta * (Rpower (eta * r) s * exp (psi (eta * r) / (2 * eta ^ 3) + eta * r * (t / eta))))
     = Rpower r s * exp (psi (eta * r) / (2 * eta ^ 3) + r * t)).
   rewrite <- Rpower_mult_distr by auto.
   replace (eta * r * (t / eta)) with (r * t) by (field; lra).
   replace (Rpower eta (- (s + 1)) * (eta * (Rpower eta s * Rpower r s * exp (psi (eta * r) / (2 * eta ^ 3) + r * t))))
-    with ((Rpower eta (- (s + 1)) * (eta * Rpower eta s)) * (Rpower r s * exp (psi (eta * r) / (2 * eta ^ 3) + r * t))) by ring.
+    with ((Rpower eta (- (s + 1)) * (eta * Rpower eta s)) * (Rpower r s * exp (psi (eta * r) / (2 * eta ^ 3) + r * t)))
+      by ring.
   rewrite <- Rpower_S by auto. rewrite <- Rpower_plus.
   replace (- (s + 1) + (s + 1)) with 0 by ring. rewrite Rpower_O by auto. ring. }
 assert (B := is_RInt_gen_minus _ _ _ _ A' Hl).
@@ -174,6 +177,7 @@ replace (- (INR n - b - 1 + 1)) with (b - INR n) in H by ring.
 rewrite <- (Je_Ie (2 * eta ^ 3) He2) in H by lra.
 rewrite <- (Fe_derive_n (2 * eta ^ 3) He2 b n (t / eta) Hb) in H.
 replace (Gamma (- b) * (Rpower eta (b - INR n) * Derive_n (Fe (2 * eta ^ 3) b) n (t / eta) - Derive_n theta n t))
-  with (Rpower eta (b - INR n) * (Gamma (- b) * Derive_n (Fe (2 * eta ^ 3) b) n (t / eta)) - Gamma (- b) * Derive_n theta n t) by ring.
+  with (Rpower eta (b - INR n) * (Gamma (- b) * Derive_n (Fe (2 * eta ^ 3) b) n (t / eta)) - Gamma
+    (- b) * Derive_n theta n t) by ring.
 exact H.
 Qed.

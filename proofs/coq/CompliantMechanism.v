@@ -1,16 +1,18 @@
 (** * The compliant model: the equations of the mechanism
 
     In contact, with p = a1 t, modelsys1-5 are equivalent to the equation of the deviation (both ways: [recover],
-    [recover_converse]). [sol_...] are the motions "trivial + C F_beta(t/eps)": the side rule; for 0 < beta < 2 the force is strictly
-    monotone, so contact is kept for ever or lost exactly once. *)
+    [recover_converse]). [sol_...] are the motions "trivial + C F_beta(t/eps)": the side rule; for 0 < beta < 2 the
+    force is strictly monotone, so contact is kept for ever or lost exactly once. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral
   CompliantSlow.
 Open Scope R_scope.
 
-Lemma contact_force_in_contact eps y z : 0 < eps -> 0 <= linear_force eps y z -> contact_force eps y z = linear_force eps y z.
+Lemma contact_force_in_contact eps y z : 0 < eps -> 0 <= linear_force eps y z ->
+  contact_force eps y z = linear_force eps y z.
 Proof.
 intros He H. unfold contact_force. destruct (Rlt_dec y z) as [Hl|Hl]; auto.
 unfold linear_force in *. assert (Hp : 0 < / eps ^ 2) by (apply Rinv_0_lt_compat, pow_lt, He).
@@ -79,13 +81,16 @@ refine (conj _ (conj _ (conj _ (conj _ _)))).
 - unfold rec_b, rec_l, lbar. auto_derive; auto.
   replace (Derive (fun x => b0 x) t) with (Derive b0 t) by reflexivity. rewrite E0. field. split; lra.
 - unfold rec_y, rec_v. auto_derive. repeat split; auto.
-  change (fun x => b0 x) with b0. change (fun x => b1 x) with b1. change (fun x => b2 x) with b2. change (fun x => b3 x) with b3.
+  change (fun x => b0 x) with b0. change (fun x => b1 x) with b1. change (fun x => b2 x) with b2.
+  change (fun x => b3 x) with b3.
   rewrite E0, E1, E2, E3. field. repeat split; lra.
 - unfold rec_v, rec_b, rec_p, rec_l, lbar. auto_derive. repeat split; auto.
-  change (fun x => b0 x) with b0. change (fun x => b1 x) with b1. change (fun x => b2 x) with b2. change (fun x => b3 x) with b3.
+  change (fun x => b0 x) with b0. change (fun x => b1 x) with b1. change (fun x => b2 x) with b2.
+  change (fun x => b3 x) with b3.
   rewrite E0, E1, E2, E3. field. repeat split; lra.
 - unfold rec_z, rec_l, lbar. auto_derive. repeat split; auto.
-  change (fun x => b0 x) with b0. change (fun x => b1 x) with b1. change (fun x => b2 x) with b2. change (fun x => b3 x) with b3.
+  change (fun x => b0 x) with b0. change (fun x => b1 x) with b1. change (fun x => b2 x) with b2.
+  change (fun x => b3 x) with b3.
   rewrite E0, E1, E2, E3. field. repeat split; lra.
 Qed.
 
@@ -133,7 +138,8 @@ split.
     change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v.
     rewrite Ey, Ez, Ev. field; lra.
   + unfold b0, b1, b2, b3. auto_derive. repeat split; auto.
-    change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v. change (fun x => b x) with b.
+    change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v.
+    change (fun x => b x) with b.
     rewrite Ey, Ez, Ev, Eb. field. repeat split; lra.
 - split; intros t.
   2: { unfold b0, b1, b2, b3. repeat split. }
@@ -195,7 +201,8 @@ assert (E4 : Derive_n F 4 (t / eps) = - a1 * eps * (- (a3 / a1) * F (t / eps) + 
    (- (a3 / a1) * F (t / eps) + t / eps * Derive F (t / eps) + (1 - a3 / a1) * Derive F (t / eps) +
      t / eps * Derive_n F 2 (t / eps) - 2 / (- a1 * eps) * Derive_n F 3 (t / eps)) by lra.
   field. lra. }
-replace ((a3 * hb 0 t - a1 * t * hb 1 t + eps * ((a3 - a1) * hb 1 t - a1 * t * hb 2 t) - 2 * eps ^ 2 * hb 3 t) / eps ^ 3)
+replace ((a3 * hb 0 t - a1 * t * hb 1 t + eps * ((a3 - a1) * hb 1 t - a1 * t * hb 2 t) - 2 * eps ^ 2 * hb 3 t)
+  / eps ^ 3)
   with (hb 4 t).
 { apply hb_derive. }
 unfold hb. fold F. rewrite E4.
@@ -241,7 +248,8 @@ Qed.
 Lemma sol_l_derive t : is_derive sol_l t (C / (- a3 * eps ^ 2) * Derive_n (Fe (- a1 * eps) (a3 / a1)) 2 (t / eps)).
 Proof.
 apply (is_derive_ext (fun t => a2 / (a3 - a1) - / a3 * hb 1 t)).
-{ intros s. unfold sol_l, hb. change (Derive_n (Fe (- a1 * eps) (a3 / a1)) 1 (s / eps)) with (Derive (Fe (- a1 * eps) (a3 / a1)) (s / eps)).
+{ intros s. unfold sol_l, hb.
+  change (Derive_n (Fe (- a1 * eps) (a3 / a1)) 1 (s / eps)) with (Derive (Fe (- a1 * eps) (a3 / a1)) (s / eps)).
   match goal with |- ?x = ?y => change (@eq R x y) end. assert (H := a13). field. repeat split; lra. }
 replace (C / (- a3 * eps ^ 2) * Derive_n (Fe (- a1 * eps) (a3 / a1)) 2 (t / eps)) with (0 - / a3 * hb 2 t).
 2: { unfold hb. field. split; lra. }

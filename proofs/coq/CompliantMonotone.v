@@ -1,12 +1,14 @@
 (** * The compliant model: monotone in eta
 
-    Theorem C of proofs/monotone.md. psi(x)/x^3 increases on x > 0, so the weight e^(psi(eta r)/(2 eta^3)) increases with eta, from e^(-r^3/3)
-    at eta = 0: where the integrals converge, Gamma(-b) G^(n)(t; eta), G = eta^b F_b(t/eta), increases with eta. [LeftExpansion.v] carries this
-    to every n > b - 4. In the same way Gamma(-b) (G^(n) - Theta^(n)) <= (eta/8) Gamma(-b) G^(n+4). *)
+    Theorem C of proofs/monotone.md. psi(x)/x^3 increases on x > 0, so the weight e^(psi(eta r)/(2 eta^3)) increases
+    with eta, from e^(-r^3/3) at eta = 0: where the integrals converge, Gamma(-b) G^(n)(t; eta), G = eta^b F_b(t/eta),
+    increases with eta. [LeftExpansion.v] carries this to every n > b - 4. In the same way Gamma(-b) (G^(n) - Theta^(n))
+    <= (eta/8) Gamma(-b) G^(n+4). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus TruncatedIntegral TruncationLimit GammaFunction LaplaceIntegral
+From GSpot Require Import Statement StatementCompliant Calculus TruncatedIntegral TruncationLimit GammaFunction
+  LaplaceIntegral
   ImproperIntegral Family Ends CompliantKernel CompliantIntegral CompliantSlow CompliantLimit LeftExpansion.
 Open Scope R_scope.
 
@@ -32,7 +34,8 @@ Qed.
 Lemma psi_cube_increasing x y : 0 < x < y -> psi x / x ^ 3 < psi y / y ^ 3.
 Proof.
 intros Hx. apply (incr_of_derive (fun u => psi u / u ^ 3) (fun u => psi_slope u / u ^ 4)); [lra| |].
-- intros u Hu. unfold psi_slope, psi. auto_derive. repeat split; try lra. change (u ^ 3 <> 0). apply Rgt_not_eq, pow_lt; lra.
+- intros u Hu. unfold psi_slope, psi. auto_derive. repeat split; try lra. change (u ^ 3 <> 0).
+  apply Rgt_not_eq, pow_lt; lra.
   field. lra.
 - intros u Hu. apply Rdiv_lt_0_compat. apply psi_slope_pos; lra. apply pow_lt; lra.
 Qed.
@@ -43,11 +46,14 @@ Definition weight_exponent (eta r : R) : R := psi (eta * r) / (2 * eta ^ 3).
 Lemma weight_bounds eta r : 0 < eta -> 0 < r -> - (r ^ 3 / 3) < weight_exponent eta r /\
   weight_exponent eta r <= - (r ^ 3 / 6) /\ weight_exponent eta r + r ^ 3 / 3 <= eta * r ^ 4 / 8.
 Proof.
-intros He Hr. assert (Hx : 0 < eta * r) by (apply Rmult_lt_0_compat; auto). assert (He3 : 0 < eta ^ 3) by (apply pow_lt; auto).
-unfold weight_exponent. refine (conj _ (conj _ _)); apply Rmult_lt_reg_r with (2 * eta ^ 3) || apply Rmult_le_reg_r with (2 * eta ^ 3); try lra.
+intros He Hr. assert (Hx : 0 < eta * r) by (apply Rmult_lt_0_compat; auto).
+assert (He3 : 0 < eta ^ 3) by (apply pow_lt; auto).
+unfold weight_exponent.
+refine (conj _ (conj _ _)); apply Rmult_lt_reg_r with (2 * eta ^ 3) || apply Rmult_le_reg_r with (2 * eta ^ 3); try lra.
 - replace (psi (eta * r) / (2 * eta ^ 3) * (2 * eta ^ 3)) with (psi (eta * r)) by (field; lra).
   replace (- (r ^ 3 / 3) * (2 * eta ^ 3)) with (- (2 / 3) * (eta * r) ^ 3) by field.
-  assert (H : psi (eta * r / 2) / (eta * r / 2) ^ 3 < psi (eta * r) / (eta * r) ^ 3) by (apply psi_cube_increasing; lra).
+  assert (H : psi (eta * r / 2) / (eta * r / 2) ^ 3 < psi (eta * r) / (eta * r) ^ 3)
+    by (apply psi_cube_increasing; lra).
   destruct (psi_bounds (eta * r / 2) ltac:(lra)) as [Q _].
   assert (P2 : 0 < (eta * r / 2) ^ 3) by (apply pow_lt; lra). assert (P1 : 0 < (eta * r) ^ 3) by (apply pow_lt; lra).
   assert (L : - (2 / 3) <= psi (eta * r / 2) / (eta * r / 2) ^ 3).
@@ -58,7 +64,8 @@ unfold weight_exponent. refine (conj _ (conj _ _)); apply Rmult_lt_reg_r with (2
   + right. field. lra.
 - replace (psi (eta * r) / (2 * eta ^ 3) * (2 * eta ^ 3)) with (psi (eta * r)) by (field; lra).
   replace (- (r ^ 3 / 6) * (2 * eta ^ 3)) with (- ((eta * r) ^ 3 / 3)) by field. apply psi_upper; lra.
-- replace ((psi (eta * r) / (2 * eta ^ 3) + r ^ 3 / 3) * (2 * eta ^ 3)) with (psi (eta * r) + 2 * (eta * r) ^ 3 / 3) by (field; lra).
+- replace ((psi (eta * r) / (2 * eta ^ 3) + r ^ 3 / 3) * (2 * eta ^ 3)) with (psi (eta * r) + 2 * (eta * r) ^ 3 / 3)
+    by (field; lra).
   replace (eta * r ^ 4 / 8 * (2 * eta ^ 3)) with ((eta * r) ^ 4 / 4) by field. apply psi_quartic; lra.
 Qed.
 
@@ -76,7 +83,8 @@ Lemma weight_expansion g r A : 0 < r -> - (r ^ 3 / 3) <= g <= 0 -> g + r ^ 3 / 3
   0 <= exp g - 1 + r ^ 3 / 3 <= A * r ^ 4 + / 9 * r ^ 6.
 Proof.
 intros Hr Hg HA. assert (H1 := exp_ineq1_le g). assert (H2 := exp_ineq1_le (- g)).
-assert (Hx := exp_pos g). assert (E : exp g * exp (- g) = 1) by (rewrite <- exp_plus; replace (g + - g) with 0 by ring; apply exp_0).
+assert (Hx := exp_pos g).
+assert (E : exp g * exp (- g) = 1) by (rewrite <- exp_plus; replace (g + - g) with 0 by ring; apply exp_0).
 assert (H3 : exp g * (1 + - g) <= 1) by (rewrite <- E; apply Rmult_le_compat_l; lra).
 assert (H4 : exp g <= 1) by (rewrite <- exp_0; apply exp_le; lra).
 (* e^g - 1 - g <= g (e^g - 1) <= g^2 *)
@@ -107,7 +115,8 @@ apply (is_RInt_unique (V := R_CompleteNormedModule)) in Hz1.
 assert (N : forall a d, 0 < a -> a <= d -> 0 <= RInt f a d).
 { intros u v Hu Hv. apply RInt_ge_0; auto. intros. apply Rlt_le, Hf. lra. }
 assert (E1 : RInt f a d = RInt f a 1 + (RInt f 1 2 + RInt f 2 d)).
-{ rewrite <- (RInt_Chasles f a 1 d) by (apply Ex; lra). rewrite <- (RInt_Chasles f 1 2 d) by (apply Ex; lra). reflexivity. }
+{ rewrite <- (RInt_Chasles f a 1 d) by (apply Ex; lra). rewrite <- (RInt_Chasles f 1 2 d) by (apply Ex; lra).
+  reflexivity. }
 assert (N1 := N a 1 ltac:(lra) ltac:(lra)). assert (N2 := N 2 d ltac:(lra) ltac:(lra)).
 assert (Hz : RInt f a d - l < RInt f 1 2 - l).
 { rewrite Hz1. apply Rabs_def2 in Hz2; unfold minus, plus, opp in Hz2; simpl in Hz2. lra. }
@@ -116,7 +125,8 @@ Qed.
 
 Lemma improper_lt (f g : R -> R) lf lg : (forall r, 0 < r -> f r < g r) ->
   (forall r, 0 < r -> continuous f r) -> (forall r, 0 < r -> continuous g r) ->
-  is_RInt_gen f (at_right 0) (Rbar_locally p_infty) lf -> is_RInt_gen g (at_right 0) (Rbar_locally p_infty) lg -> lf < lg.
+  is_RInt_gen f (at_right 0) (Rbar_locally p_infty) lf -> is_RInt_gen g (at_right 0) (Rbar_locally p_infty) lg ->
+    lf < lg.
 Proof.
 intros H Cf Cg Hf Hg.
 assert (D := is_RInt_gen_minus _ _ _ _ Hg Hf).
@@ -146,7 +156,8 @@ intros Hs. unfold scaled_J. set (q := s + INR k) in *. rewrite (Je_Ie _ two_cube
 assert (A := improper_scale _ eta _ He (proj1 (Ie_aux (2 * eta ^ 3) q (t / eta) two_cube Hs))).
 apply (is_RInt_gen_scal _ (Rpower eta (- (q + 1)))) in A.
 eapply improper_ext; [|exact A]. intros r Hr.
-change (Rpower eta (- (q + 1)) * (eta * (Rpower (eta * r) q * exp (psi (eta * r) / (2 * eta ^ 3) + eta * r * (t / eta))))
+change (Rpower eta
+  (- (q + 1)) * (eta * (Rpower (eta * r) q * exp (psi (eta * r) / (2 * eta ^ 3) + eta * r * (t / eta))))
   = Rpower r q * exp (weight_exponent eta r + r * t)).
 rewrite <- Rpower_mult_distr by auto.
 replace (eta * r * (t / eta)) with (r * t) by (field; lra).
@@ -170,7 +181,8 @@ intros Hs. refine (conj _ (conj _ _)).
 - intros k t. assert (D := Je_derive (2 * eta ^ 3) two_cube (s + INR k) (t / eta) (ok_plus s k Hs)).
   apply (is_derive_val _ _ (Rpower eta (- (s + INR k + 1)) * (/ eta * Je (2 * eta ^ 3) (s + INR k + 1) (t / eta)))).
   + apply (is_derive_scal (fun t => Je (2 * eta ^ 3) (s + INR k) (t / eta))).
-    apply (is_derive_comp (Je (2 * eta ^ 3) (s + INR k)) (fun t => t / eta) t (Je (2 * eta ^ 3) (s + INR k + 1) (t / eta)) (/ eta)).
+    apply (is_derive_comp (Je (2 * eta ^ 3) (s + INR k)) (fun t => t / eta) t (Je (2 * eta ^ 3) (s + INR k + 1)
+      (t / eta)) (/ eta)).
     exact D. auto_derive; auto. field; lra.
   + unfold scaled_J. rewrite S_INR. replace (s + (INR k + 1)) with (s + INR k + 1) by ring.
     replace (- (s + INR k + 1)) with (1 + - (s + INR k + 1 + 1)) by ring. rewrite Rpower_plus, Rpower_1 by auto.
@@ -205,7 +217,8 @@ intros Hb HT. refine (conj (scaled_derive b theta Hb HT) (conj _ _)).
   assert (E1 : forall u, y1 u = scaled b theta (S k) u).
   { intros u. rewrite <- (is_derive_unique _ _ _ (D0 u)). apply is_derive_unique, scaled_derive; auto. }
   assert (E2 : forall u, y2 u = scaled b theta (S (S k)) u).
-  { intros u. rewrite <- (is_derive_unique _ _ _ (D1 u)). rewrite (Derive_ext _ _ u E1). apply is_derive_unique, scaled_derive; auto. }
+  { intros u. rewrite <- (is_derive_unique _ _ _ (D1 u)). rewrite (Derive_ext _ _ u E1).
+    apply is_derive_unique, scaled_derive; auto. }
   assert (E3 : scaled b theta (S (S (S k))) t = t * y1 t + (INR k - b - 1 + 1) * scaled b theta k t).
   { assert (E := is_derive_unique _ _ _ (D2 t)). rewrite (Derive_ext _ _ t E2) in E.
     rewrite (is_derive_unique _ _ _ (scaled_derive b theta Hb HT (S (S k)) t)) in E. exact E. }
@@ -228,7 +241,8 @@ intros He Hb. unfold scaled_J.
 replace (Gamma (- b) * (Rpower eta (b - INR n) * Derive_n (Fe (2 * eta ^ 3) b) n (t / eta)))
   with (Rpower eta (b - INR n) * (Gamma (- b) * Derive_n (Fe (2 * eta ^ 3) b) n (t / eta))) by ring.
 rewrite (Fe_derive_n _ (two_cube eta He) b n _ Hb).
-replace (- (- b - 1 + INR n + 1)) with (b - INR n) by ring. replace (- b - 1 + INR n) with (INR n - b - 1) by ring. reflexivity.
+replace (- (- b - 1 + INR n + 1)) with (b - INR n) by ring. replace (- b - 1 + INR n) with (INR n - b - 1) by ring.
+reflexivity.
 Qed.
 
 Theorem monotone_in_eta b n eta eta' t : not_nat b -> b < INR n + 4 -> 0 < eta < eta' ->
@@ -251,7 +265,8 @@ Proof.
 intros Hb Hn He HT.
 assert (F0 := scaled_family b theta Hb HT). assert (F1 := scaled_J_family eta He _ (ok_not_nat b Hb)).
 assert (I0 : forall k u, -1 < - b - 1 + INR k ->
-  is_RInt_gen (fun r => Rpower r (- b - 1 + INR k) * exp (- (r ^ 3 / 3) + r * u)) (at_right 0) (Rbar_locally p_infty) (scaled b theta k u)).
+  is_RInt_gen (fun r => Rpower r (- b - 1 + INR k) * exp (- (r ^ 3 / 3) + r * u)) (at_right 0) (Rbar_locally p_infty)
+    (scaled b theta k u)).
 { intros k u Hk. assert (H := Theta_representation b theta k Hb ltac:(lra) HT u).
   eapply improper_ext; [|exact H]. intros r Hr. simpl.
   replace (INR k - b - 1) with (- b - 1 + INR k) by ring. f_equal. f_equal. unfold Rminus; ring. }
@@ -267,7 +282,8 @@ split.
 - apply (family_upper (- b - 1) 0 eta (scaled b theta) (scaled_J eta (- b - 1)) (ok_not_nat b Hb) F0 F1); [|lra].
   intros k u Hk.
   assert (A4 : -1 < - b - 1 + INR (k + 4)) by (rewrite plus_INR; simpl; lra).
-  assert (P := is_RInt_gen_plus _ _ _ _ (I0 k u Hk) (is_RInt_gen_scal _ (eta / 8) _ (scaled_J_integral eta He (- b - 1) (k + 4) u A4))).
+  assert (P := is_RInt_gen_plus _ _ _ _ (I0 k u Hk) (is_RInt_gen_scal _ (eta / 8) _ (scaled_J_integral eta He (- b - 1)
+    (k + 4) u A4))).
   eapply improper_le; [|exact (scaled_J_integral eta He (- b - 1) k u Hk)|exact P].
   intros r Hr. unfold plus, scal; simpl; unfold mult; simpl.
   rewrite (Rpower_split r (- b - 1 + INR (k + 4)) 4 (- b - 1 + INR k)) by (auto; rewrite plus_INR; simpl; ring).
@@ -279,9 +295,12 @@ split.
   { assert (H := exp_ineq1_le (- (g + r ^ 3 / 3))).
     assert (E : exp g * exp (- (g + r ^ 3 / 3)) = exp (- (r ^ 3 / 3))) by (rewrite <- exp_plus; f_equal; ring).
     assert (HA := exp_pos g).
-    assert (exp g * (1 + - (g + r ^ 3 / 3)) <= exp g * exp (- (g + r ^ 3 / 3))) by (apply Rmult_le_compat_l; lra). lra. }
-  assert (C3 : (g + r ^ 3 / 3) * exp g <= eta * r ^ 4 / 8 * exp g) by (apply Rmult_le_compat_r; [apply Rlt_le, exp_pos|lra]).
+    assert (exp g * (1 + - (g + r ^ 3 / 3)) <= exp g * exp (- (g + r ^ 3 / 3))) by (apply Rmult_le_compat_l; lra).
+    lra. }
+  assert (C3 : (g + r ^ 3 / 3) * exp g <= eta * r ^ 4 / 8 * exp g)
+    by (apply Rmult_le_compat_r; [apply Rlt_le, exp_pos|lra]).
   assert (HPX : 0 < Q * X) by (apply Rmult_lt_0_compat; auto).
-  assert (C4 : Q * X * (exp g - exp (- (r ^ 3 / 3))) <= Q * X * (eta * r ^ 4 / 8 * exp g)) by (apply Rmult_le_compat_l; lra).
+  assert (C4 : Q * X * (exp g - exp (- (r ^ 3 / 3))) <= Q * X * (eta * r ^ 4 / 8 * exp g))
+    by (apply Rmult_le_compat_l; lra).
   simpl in *. lra.
 Qed.

@@ -1,7 +1,8 @@
 (** * The compliant model: the motion through a state
 
-    A law of force that is Lipschitz in (y, z), as compl2 and the force without condition are: through every state at every time there is
-    exactly one motion on the whole line ([motion_exists], [motion_unique]). p is affine; b, y, v, z solve an initial value problem. *)
+    A law of force that is Lipschitz in (y, z), as compl2 and the force without condition are: through every state at
+    every time there is exactly one motion on the whole line ([motion_exists], [motion_unique]). p is affine; b, y, v, z
+    solve an initial value problem. *)
 
 From Coq Require Import Reals Psatz Lra Lia List.
 From Coquelicot Require Import Coquelicot.
@@ -14,7 +15,8 @@ Definition lipschitz_force (force : R -> R -> R) : Prop := exists K, 0 <= K /\ f
 
 Lemma contact_lipschitz eps : 0 < eps -> lipschitz_force (contact_force eps).
 Proof.
-intros He. exists (/ eps ^ 2). split. apply Rlt_le, Rinv_0_lt_compat, pow_lt, He. intros y z y' z'. apply contact_force_lipschitz, He.
+intros He. exists (/ eps ^ 2). split. apply Rlt_le, Rinv_0_lt_compat, pow_lt, He. intros y z y' z'.
+apply contact_force_lipschitz, He.
 Qed.
 
 Lemma linear_lipschitz eps : 0 < eps -> lipschitz_force (linear_force eps).
@@ -65,7 +67,8 @@ Definition rate (p : R -> R) (i : coordinate) (t : R) (x : coordinate -> R) : R 
   | of_z => / eps * (- x of_z - eps ^ 2 * lambda)
   end.
 
-Lemma rate_continuous p : (forall t, continuous p t) -> forall x : coordinate -> R -> R, (forall i t, continuous (x i) t) ->
+Lemma rate_continuous p : (forall t, continuous p t) -> forall x : coordinate -> R -> R,
+  (forall i t, continuous (x i) t) ->
   forall i t, continuous (fun s => rate p i s (fun j => x j s)) t.
 Proof.
 intros Hp x Hx i t.
@@ -107,19 +110,23 @@ assert (T4 : 0 <= eps * (2 * K) * c) by (apply Rmult_le_pos; [apply Rmult_le_pos
 replace ((Rabs a3 * (2 * K) + 1 + P * (2 * K) + (/ eps + eps * (2 * K))) * c)
   with (Rabs a3 * (2 * K) * c + c + P * (2 * K) * c + / eps * c + eps * (2 * K) * c) by ring.
 unfold rate. destruct i.
-- replace (a2 - a3 * force eps (x of_y) (x of_z) - (a2 - a3 * force eps (x' of_y) (x' of_z))) with (- a3 * l) by (unfold l; ring).
+- replace (a2 - a3 * force eps (x of_y) (x of_z) - (a2 - a3 * force eps (x' of_y) (x' of_z))) with (- a3 * l)
+    by (unfold l; ring).
   rewrite Rabs_mult, Rabs_Ropp.
   assert (Rabs a3 * Rabs l <= Rabs a3 * (2 * K * c)) by (apply Rmult_le_compat_l; auto). lra.
 - generalize (Hc of_v). lra.
-- replace (x of_b + (p0 + a1 * (s - t0)) * force eps (x of_y) (x of_z) - (x' of_b + (p0 + a1 * (s - t0)) * force eps (x' of_y) (x' of_z)))
+- replace (x of_b + (p0 + a1 * (s - t0)) * force eps (x of_y) (x of_z) - (x' of_b + (p0 + a1 * (s - t0)) * force eps
+    (x' of_y) (x' of_z)))
     with ((x of_b - x' of_b) + (p0 + a1 * (s - t0)) * l) by (unfold l; ring).
   eapply Rle_trans. apply Rabs_triang. rewrite (Rabs_mult _ l).
   assert (Rabs (p0 + a1 * (s - t0)) <= P).
-  { eapply Rle_trans. apply Rabs_triang. apply Rplus_le_compat_l. rewrite Rabs_mult. apply Rmult_le_compat_l. apply Rabs_pos.
+  { eapply Rle_trans. apply Rabs_triang. apply Rplus_le_compat_l. rewrite Rabs_mult. apply Rmult_le_compat_l.
+    apply Rabs_pos.
     eapply Rle_trans. exact Hs. apply Rle_abs. }
   assert (Rabs (p0 + a1 * (s - t0)) * Rabs l <= P * (2 * K * c)) by (apply Rmult_le_compat; auto using Rabs_pos).
   generalize (Hc of_b). lra.
-- replace (/ eps * (- x of_z - eps ^ 2 * force eps (x of_y) (x of_z)) - / eps * (- x' of_z - eps ^ 2 * force eps (x' of_y) (x' of_z)))
+- replace (/ eps * (- x of_z - eps ^ 2 * force eps (x of_y) (x of_z)) - / eps * (- x' of_z - eps ^ 2 * force eps
+    (x' of_y) (x' of_z)))
     with (- (/ eps * (x of_z - x' of_z)) + - (eps * l)) by (unfold l; field; lra).
   eapply Rle_trans. apply Rabs_triang. rewrite !Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq (/ eps)), (Rabs_pos_eq eps) by lra.
   assert (/ eps * Rabs (x of_z - x' of_z) <= / eps * c) by (apply Rmult_le_compat_l; [lra|apply Hc]).
@@ -158,7 +165,8 @@ Proof.
 set (p := fun t => p0 + a1 * (t - t0)).
 assert (Dp : forall t, is_derive p t a1) by (intros t; unfold p; auto_derive; auto; ring).
 assert (Cp : forall t, continuous p t) by (intros t; apply (ex_derive_continuous p); eexists; apply Dp).
-destruct (solution_exists coordinate coordinates every_coordinate (rate p) (rate_continuous p Cp) t0 (rate_lipschitz p0 t0)
+destruct (solution_exists coordinate coordinates every_coordinate (rate p) (rate_continuous p Cp) t0
+  (rate_lipschitz p0 t0)
   (fun i => match i with of_b => b0 | of_y => y0 | of_v => v0 | of_z => z0 end)) as (x & E & D).
 exists p, (x of_b), (x of_y), (x of_v), (x of_z). split.
 - intros t. refine (conj (Dp t) (conj (D of_b t) (conj (D of_y t) (conj (D of_v t) _)))).

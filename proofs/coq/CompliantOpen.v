@@ -1,11 +1,13 @@
 (** * The compliant model: an open set of states from which contact is never lost
 
-    0 < beta < 1, t >= 0: d = force - mean satisfies eps^3 d'''' = (a3 - a1) d + (-a1 t + eps (a3 - 2 a1)) d' - eps a1 t d'' - 2 eps^2 d''', whose coefficients
-    but the last are >= 0: {d, d', d'', d''' > 0} is forward invariant, contact included, by induction along the time axis. *)
+    0 < beta < 1, t >= 0: d = force - mean satisfies eps^3 d'''' = (a3 - a1) d + (-a1 t + eps (a3 - 2 a1)) d' - eps a1 t
+    d'' - 2 eps^2 d''', whose coefficients but the last are >= 0: {d, d', d'', d''' > 0} is forward invariant, contact
+    included, by induction along the time axis. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus LaplaceIntegral Family CompliantKernel CompliantIntegral CompliantSlow
+From GSpot Require Import Statement StatementCompliant Calculus LaplaceIntegral Family CompliantKernel CompliantIntegral
+  CompliantSlow
   CompliantMechanism.
 Open Scope R_scope.
 
@@ -74,10 +76,12 @@ refine (conj _ (conj _ (conj _ _))).
   change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v.
   rewrite Ey, Ez, Ev. field; lra.
 - unfold d2, d3, d1. auto_derive; repeat split; auto.
-  change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v. change (fun x => b x) with b.
+  change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v.
+  change (fun x => b x) with b.
   rewrite Ey, Ez, Ev, Eb. field; lra.
 - unfold d3, d0, d1, d2. auto_derive; repeat split; auto.
-  change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v. change (fun x => b x) with b.
+  change (fun x => y x) with y. change (fun x => z x) with z. change (fun x => v x) with v.
+  change (fun x => b x) with b.
   rewrite Ey, Ez, Ev, Eb. unfold d1. field; repeat split; lra.
 Qed.
 
@@ -99,7 +103,8 @@ intros HP0. apply real_induction; auto.
 - intros t Ht HP.
   destruct HP0 as (A & A0 & A1 & A2 & A3).
   destruct (d_ex t (Rlt_le _ _ Ht)) as (X0 & X1 & X2 & X3).
-  assert (G : forall (f f' : R -> R), ex_derive f t -> (forall s, t0 <= s < t -> is_derive f s (f' s) /\ 0 <= f' s) -> f t0 <= f t).
+  assert (G : forall (f f' : R -> R), ex_derive f t -> (forall s, t0 <= s < t -> is_derive f s (f' s) /\ 0 <= f' s) ->
+    f t0 <= f t).
   { intros f f' Xf Hf. apply (closed_ge f t0 t (f t0) Ht Xf). intros s Hs.
     apply Ropp_le_cancel. apply (decr_of_derive (fun x => - f x) (fun x => - f' x) t0 s (proj1 Hs)).
     - intros x Hx. apply (is_derive_opp f), Hf. lra.
@@ -178,7 +183,8 @@ assert (Hp : forall n, (1 <= n)%nat -> 0 < - / a3 * hb a1 a3 eps C n t).
   apply Rmult_lt_0_compat; auto. nra. }
 destruct (hb_chain a1 a3 eps C Ha1 He Hn p_infty) as (_ & _ & _ & D3).
 assert (E4 : hb a1 a3 eps C 4 t = (a3 * hb a1 a3 eps C 0 t - a1 * t * hb a1 a3 eps C 1 t
-    + eps * ((a3 - a1) * hb a1 a3 eps C 1 t - a1 * t * hb a1 a3 eps C 2 t) - 2 * eps ^ 2 * hb a1 a3 eps C 3 t) / eps ^ 3).
+    + eps * ((a3 - a1) * hb a1 a3 eps C 1 t - a1 * t * hb a1 a3 eps C 2 t) - 2 * eps ^ 2 * hb a1 a3 eps C 3 t)
+        / eps ^ 3).
 { rewrite <- (is_derive_unique _ _ _ (D3 t I)). symmetry. apply is_derive_unique, hb_derive; auto. }
 assert (H1 := Hp 1%nat (le_n _)). assert (H2 := Hp 2%nat ltac:(lia)). assert (H3 := Hp 3%nat ltac:(lia)).
 assert (H4 := Hp 4%nat ltac:(lia)). rewrite E4 in H4.

@@ -1,12 +1,14 @@
 (** * The compliant model: the slow solution left of 0
 
-    proofs/finite_epsilon_zeros.md, section 4 (a): for b < 3 and T < 0, Gamma(-b) (F_b(T) - (-T)^b) < 0. Where the integrals converge that is e^psi < 1;
-    the difference is O((-T)^(b-3)) at T -> -oo, so the inequality comes from its derivatives as in [LeftExpansion.v], whatever b < 3 is.
-    The difference decreases in - T: hence Gamma(-b) F_b(0) < 0 for 0 < b < 3. *)
+    proofs/finite_epsilon_zeros.md, section 4 (a): for b < 3 and T < 0, Gamma(-b) (F_b(T) - (-T)^b) < 0. Where the
+    integrals converge that is e^psi < 1; the difference is O((-T)^(b-3)) at T -> -oo, so the inequality comes from its
+    derivatives as in [LeftExpansion.v], whatever b < 3 is. The difference decreases in - T: hence Gamma(-b) F_b(0) < 0
+    for 0 < b < 3. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus GammaFunction ImproperIntegral Family CompliantKernel CompliantIntegral CompliantSlow
+From GSpot Require Import Statement Calculus GammaFunction ImproperIntegral Family CompliantKernel CompliantIntegral
+  CompliantSlow
   LeftExpansion CompliantMonotone CompliantThreshold.
 Open Scope R_scope.
 
@@ -17,7 +19,8 @@ intros Hx. unfold Rpower at 1. auto_derive; auto.
 replace (u - 1) with (u + - (1)) by ring. rewrite Rpower_plus, Rpower_Ropp, Rpower_1 by auto. unfold Rpower. field. lra.
 Qed.
 
-Lemma positive_before_infinity (f df : R -> R) q : (forall x, 0 < x -> is_derive f x (- df x)) -> (forall x, 0 < x -> 0 < df x) ->
+Lemma positive_before_infinity (f df : R -> R) q : (forall x, 0 < x -> is_derive f x (- df x)) ->
+  (forall x, 0 < x -> 0 < df x) ->
   0 < q -> small q f -> forall x, 0 < x -> 0 < f x.
 Proof.
 intros D Hp Hq Hs x Hx. apply Rnot_le_lt. intros Hle.
@@ -45,7 +48,8 @@ intros Hx. unfold gap. rewrite S_INR. set (q := s + INR k).
 replace (s + (INR k + 1) + 1) with (q + 1 + 1) by (unfold q; ring).
 assert (Nq : q + 1 <> 0) by (apply ok_neq, ok_plus, Hs).
 rewrite (Gamma_step (q + 1) (q + 1 + 1)) by auto.
-apply (is_derive_val _ _ (Gamma (q + 1) * (- (q + 1) * Rpower x (- (q + 1 + 1))) - (- scaled_J eta s (S k) (- x)))); [|ring].
+apply (is_derive_val _ _ (Gamma (q + 1) * (- (q + 1) * Rpower x (- (q + 1 + 1))) - (- scaled_J eta s (S k) (- x))));
+  [|ring].
 apply (is_derive_minus (fun x => Gamma (q + 1) * Rpower x (- (q + 1))) (fun x => scaled_J eta s k (- x))).
 - apply (is_derive_scal (fun x => Rpower x (- (q + 1)))).
   replace (- (q + 1 + 1)) with (- (q + 1) - 1) by ring. apply power_derive, Hx.
@@ -71,7 +75,8 @@ Proof.
 intros Hk Hx. unfold gap. set (q := s + INR k) in *.
 enough (scaled_J eta s k (- x) < Rpower x (- (q + 1)) * Gamma (q + 1)) by lra.
 eapply improper_lt; [| | |apply scaled_J_integral; auto|apply Gamma_scaled; auto; lra].
-- intros r Hr. fold q. replace (q + 1 - 1) with q by ring. apply Rmult_lt_compat_l; [apply exp_pos|]. apply exp_increasing.
+- intros r Hr. fold q. replace (q + 1 - 1) with q by ring. apply Rmult_lt_compat_l; [apply exp_pos|].
+  apply exp_increasing.
   destruct (weight_bounds eta r He Hr) as (_ & B & _). assert (0 < r ^ 3) by (apply pow_lt, Hr). lra.
 - intros r Hr. apply (scaled_J_continuous eta He); auto.
 - intros r Hr. apply (ex_derive_continuous (fun r => Rpower r (q + 1 - 1) * exp (- (x * r))) r).
@@ -83,12 +88,14 @@ Proof.
 assert (H : forall n k x, -4 < s + INR k -> -1 < s + INR k + INR n -> 0 < x -> 0 < gap k x).
 { induction n as [|n IH]; intros j y Hj Hn Hy.
   - apply gap_positive_high; auto. simpl in Hn. lra.
-  - rewrite S_INR in Hn. apply (positive_before_infinity (gap j) (gap (S j)) (s + INR j + 4)); auto using gap_derive, gap_small; [|lra].
+  - rewrite S_INR in Hn. apply (positive_before_infinity (gap j) (gap (S j)) (s + INR j + 4)); auto using gap_derive,
+      gap_small; [|lra].
     intros u Hu. apply IH; rewrite ?S_INR; lra. }
 intros Hk. destruct (ex_valid (s + INR k)) as [n Hn]. apply (H n k x Hk Hn).
 Qed.
 
-Theorem below_power k x : -4 < s + INR k -> 0 < x -> scaled_J eta s k (- x) < Gamma (s + INR k + 1) * Rpower x (- (s + INR k + 1)).
+Theorem below_power k x : -4 < s + INR k -> 0 < x -> scaled_J eta s k (- x) < Gamma (s + INR k + 1) * Rpower x
+  (- (s + INR k + 1)).
 Proof. intros Hk Hx. assert (H := gap_positive k x Hk Hx). unfold gap in H. lra. Qed.
 
 (** At 0, where the power is 0: the gap decreases in x. *)
@@ -151,7 +158,8 @@ Theorem slow_below_power b x : not_nat b -> b < 3 -> 0 < x -> Gamma (- b) * (Fe 
 Proof.
 intros Hb H3 Hx. assert (Hn := eta_positive).
 rewrite Rmult_minus_distr_l, Fe_scaled by auto.
-assert (B := below_power eta (- b - 1) Hn (ok_not_nat b Hb) 0 (eta * x) ltac:(simpl; lra) ltac:(apply Rmult_lt_0_compat; auto)).
+assert (B := below_power eta (- b - 1) Hn (ok_not_nat b Hb) 0 (eta * x) ltac:(simpl; lra) ltac:(apply Rmult_lt_0_compat;
+  auto)).
 replace (- b - 1 + INR 0 + 1) with (- b) in B by (simpl; ring). rewrite Ropp_involutive in B.
 replace (eta * - x) with (- (eta * x)) by ring.
 apply (Rmult_lt_compat_l (Rpower eta (- b))) in B; [|apply exp_pos].

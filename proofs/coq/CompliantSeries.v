@@ -1,13 +1,15 @@
 (** * The compliant model: the series in eta on Theta, with its remainder (Theorem B)
 
-    proofs/epsilon_series.md. Let E_k = Gamma(-b) (G - P)^(k), P the part of the series below eta^N. Where the integrals converge (k > b) the bound is that
-    of [series_remainder] under the integral. For smaller k: the moment recurrence of G, applied to E, leaves over only
-    - eta^N sum c_(N,m) (N + 3m) Gamma(-b) Theta^(k+N+3m) ([series_operator]), hence E_k(-x) = O(x^-(k-b+N+3)) for every k, from its own bound
-    where the integrals converge downwards. So (bound) - E and (bound) + E tend to 0 as t -> -oo for k > b - N - 3, and are >= 0 as their derivatives are. *)
+    proofs/epsilon_series.md. Let E_k = Gamma(-b) (G - P)^(k), P the part of the series below eta^N. Where the integrals
+    converge (k > b) the bound is that of [series_remainder] under the integral. For smaller k: the moment recurrence of
+    G, applied to E, leaves over only - eta^N sum c_(N,m) (N + 3m) Gamma(-b) Theta^(k+N+3m) ([series_operator]), hence
+    E_k(-x) = O(x^-(k-b+N+3)) for every k, from its own bound where the integrals converge downwards. So (bound) - E and
+    (bound) + E tend to 0 as t -> -oo for k > b - N - 3, and are >= 0 as their derivatives are. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral ImproperIntegral EnvelopingSeries Family Ends CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral ImproperIntegral
+  EnvelopingSeries Family Ends CompliantKernel CompliantIntegral
   CompliantSlow LeftExpansion CompliantMonotone EtaSeries.
 Open Scope R_scope.
 
@@ -25,7 +27,8 @@ Let Hf : family 0 s f := scaled_family b theta Hb HT.
 Let Hg : family eta s g := scaled_J_family eta He s Hs.
 
 Lemma theta_integral k t : -1 < s + INR k ->
-  is_RInt_gen (fun r => Rpower r (s + INR k) * exp (- (r ^ 3 / 3) + r * t)) (at_right 0) (Rbar_locally p_infty) (scaled b theta k t).
+  is_RInt_gen (fun r => Rpower r (s + INR k) * exp (- (r ^ 3 / 3) + r * t)) (at_right 0) (Rbar_locally p_infty)
+    (scaled b theta k t).
 Proof.
 intros Hk. unfold s in Hk. assert (H := Theta_representation b theta k Hb ltac:(lra) HT t).
 eapply improper_ext; [|exact H]. intros r Hr. simpl.
@@ -44,29 +47,36 @@ Proof. intros H. rewrite plus_INR. assert (A := pos_INR i). lra. Qed.
 Lemma theta_moment k i t : -1 < s + INR k ->
   is_RInt_gen (fun r => measure k t r * r ^ i) (at_right 0) (Rbar_locally p_infty) (f (k + i)%nat t).
 Proof.
-intros Hk. eapply improper_ext; [|exact (theta_integral (k + i) t (index_valid k i Hk))]. intros r Hr. unfold measure. cbv beta.
+intros Hk. eapply improper_ext; [|exact (theta_integral (k + i) t (index_valid k i Hk))]. intros r Hr. unfold measure.
+cbv beta.
 rewrite (Rpower_split r (s + INR (k + i)) i (s + INR k)) by (auto; rewrite plus_INR; ring). ring.
 Qed.
 
 Lemma slow_moment k i t : -1 < s + INR k ->
-  is_RInt_gen (fun r => measure k t r * (r ^ i * exp (exponent eta r))) (at_right 0) (Rbar_locally p_infty) (g (k + i)%nat t).
+  is_RInt_gen (fun r => measure k t r * (r ^ i * exp (exponent eta r))) (at_right 0) (Rbar_locally p_infty)
+    (g (k + i)%nat t).
 Proof.
-intros Hk. eapply improper_ext; [|exact (scaled_J_integral eta He s (k + i) t (index_valid k i Hk))]. intros r Hr. unfold measure. cbv beta.
+intros Hk. eapply improper_ext; [|exact (scaled_J_integral eta He s (k + i) t (index_valid k i Hk))]. intros r Hr.
+unfold measure. cbv beta.
 rewrite (Rpower_split r (s + INR (k + i)) i (s + INR k)) by (auto; rewrite plus_INR; ring).
-replace (weight_exponent eta r + r * t) with (- (r ^ 3 / 3) + r * t + exponent eta r) by (unfold exponent; ring). rewrite !exp_plus. ring.
+replace (weight_exponent eta r + r * t) with (- (r ^ 3 / 3) + r * t + exponent eta r) by (unfold exponent; ring).
+rewrite !exp_plus. ring.
 Qed.
 
 Lemma slow_integral_measure k t : -1 < s + INR k ->
   is_RInt_gen (fun r => measure k t r * exp (exponent eta r)) (at_right 0) (Rbar_locally p_infty) (g k t).
 Proof.
-intros Hk. assert (H := slow_moment k 0 t Hk). rewrite Nat.add_0_r in H. eapply improper_ext; [|exact H]. intros r _. simpl. ring.
+intros Hk. assert (H := slow_moment k 0 t Hk). rewrite Nat.add_0_r in H. eapply improper_ext; [|exact H]. intros r _.
+simpl. ring.
 Qed.
 
 Lemma theta_small k i : small (s + INR k + INR i + 1) (fun x => f (k + i)%nat (- x)).
-Proof. replace (s + INR k + INR i + 1) with (s + INR (k + i) + 1) by (rewrite plus_INR; ring). apply (left_small s 0 f Hs Hf). Qed.
+Proof. replace (s + INR k + INR i + 1) with (s + INR (k + i) + 1) by (rewrite plus_INR; ring).
+apply (left_small s 0 f Hs Hf). Qed.
 
 Lemma slow_small k i : small (s + INR k + INR i + 1) (fun x => g (k + i)%nat (- x)).
-Proof. replace (s + INR k + INR i + 1) with (s + INR (k + i) + 1) by (rewrite plus_INR; ring). apply (left_small s eta g Hs Hg). Qed.
+Proof. replace (s + INR k + INR i + 1) with (s + INR (k + i) + 1) by (rewrite plus_INR; ring).
+apply (left_small s eta g Hs Hg). Qed.
 
 Section Order.
 Variable N : nat.
@@ -95,22 +105,27 @@ Qed.
 Lemma excess_within_bound k t : -1 < s + INR k -> Rabs (E k t) <= B k t.
 Proof.
 intros Hk.
-assert (IB : is_RInt_gen (fun r => measure k t r * remainder_bound eta N (fun i => r ^ i * exp (exponent eta r))) (at_right 0) (Rbar_locally p_infty) (B k t)).
+assert (IB : is_RInt_gen (fun r => measure k t r * remainder_bound eta N (fun i => r ^ i * exp (exponent eta r)))
+  (at_right 0) (Rbar_locally p_infty) (B k t)).
 { assert (I := is_RInt_gen_scal _ (eta ^ N) _ (sum_first_integral
     (fun m r => Rabs (series_coefficient N m) * (measure k t r * (r ^ (N + 3 * m) * exp (exponent eta r))))
     (fun m => Rabs (series_coefficient N m) * g (k + (N + 3 * m))%nat t) (S N)
     (fun m => is_RInt_gen_scal _ (Rabs (series_coefficient N m)) _ (slow_moment k (N + 3 * m) t Hk)))).
   eapply improper_ext; [|exact I]. intros r _. unfold scal; simpl; unfold mult; simpl. unfold remainder_bound.
-  change (eta ^ N * sum_first (fun m => Rabs (series_coefficient N m) * (measure k t r * (r ^ (N + 3 * m) * exp (exponent eta r)))) (S N)
-    = measure k t r * (eta ^ N * sum_first (fun m => Rabs (series_coefficient N m) * (r ^ (N + 3 * m) * exp (exponent eta r))) (S N))).
+  change (eta ^ N * sum_first (fun m =>
+    Rabs (series_coefficient N m) * (measure k t r * (r ^ (N + 3 * m) * exp (exponent eta r)))) (S N)
+    = measure k t r * (eta ^ N * sum_first (fun m =>
+      Rabs (series_coefficient N m) * (r ^ (N + 3 * m) * exp (exponent eta r))) (S N))).
   rewrite <- Rmult_assoc, (Rmult_comm (measure k t r)), Rmult_assoc, <- (sum_first_scal (measure k t r)). f_equal.
   apply sum_first_ext. intros m. ring. }
-assert (IE : is_RInt_gen (fun r => measure k t r * (exp (exponent eta r) - eta_series eta N (fun i => r ^ i))) (at_right 0) (Rbar_locally p_infty) (E k t)).
+assert (IE : is_RInt_gen (fun r => measure k t r * (exp (exponent eta r) - eta_series eta N (fun i => r ^ i)))
+  (at_right 0) (Rbar_locally p_infty) (E k t)).
 { assert (I := is_RInt_gen_minus _ _ _ _ (slow_integral_measure k t Hk) (sum_first_integral
     (fun j r => eta ^ j * sum_first (fun m => series_coefficient j m * (measure k t r * r ^ (j + 3 * m))) (S j))
     (fun j => eta ^ j * sum_first (fun m => series_coefficient j m * f (k + (j + 3 * m))%nat t) (S j)) N
     (fun j => is_RInt_gen_scal _ (eta ^ j) _ (sum_first_integral
-      (fun m r => series_coefficient j m * (measure k t r * r ^ (j + 3 * m))) (fun m => series_coefficient j m * f (k + (j + 3 * m))%nat t) (S j)
+      (fun m r => series_coefficient j m * (measure k t r * r ^ (j + 3 * m))) (fun m =>
+        series_coefficient j m * f (k + (j + 3 * m))%nat t) (S j)
       (fun m => is_RInt_gen_scal _ (series_coefficient j m) _ (theta_moment k (j + 3 * m) t Hk)))))).
   eapply improper_ext; [|exact I]. intros r _. unfold minus, plus, opp; simpl.
   change (measure k t r * exp (exponent eta r) + - eta_series eta N (fun i => measure k t r * r ^ i)
@@ -128,7 +143,8 @@ Qed.
 (** Towards t -> -oo *)
 Lemma bound_small k : small (s + INR k + INR N + 4) (fun x => B k (- x)).
 Proof.
-apply (small_scal _ (eta ^ N) (fun x => sum_first (fun m => Rabs (series_coefficient N m) * g (k + (N + 3 * m))%nat (- x)) (S N))).
+apply (small_scal _ (eta ^ N) (fun x => sum_first (fun m => Rabs (series_coefficient N m) * g (k + (N + 3 * m))%nat
+  (- x)) (S N))).
 apply (sum_first_small _ (fun m x => Rabs (series_coefficient N m) * g (k + (N + 3 * m))%nat (- x))). intros m _.
 destruct m as [|m].
 - destruct N as [|N']; [lia|]. exists 0. intros x _. rewrite coefficient_0, Rabs_R0, Rmult_0_l, Rabs_R0. lra.
@@ -139,7 +155,8 @@ Qed.
 
 (** The moment recurrence and what it leaves over *)
 Lemma excess_recurrence k t : let q := s + INR k in
-  (q + 1) * E k t = - ((q + 2) * eta + t) * E (k + 1)%nat t - t * eta * E (k + 2)%nat t + E (k + 3)%nat t + eta / 2 * E (k + 4)%nat t
+  (q + 1) * E k t = - ((q + 2) * eta + t) * E (k + 1)%nat t - t * eta * E (k + 2)%nat t + E (k + 3)%nat t + eta / 2 * E
+    (k + 4)%nat t
     - eta ^ N * sum_first (fun m => series_coefficient N m * (INR (N + 3 * m) * f (k + (N + 3 * m))%nat t)) (S N).
 Proof.
 intros q. assert (Hf' := Hf). destruct Hf' as (_ & Rf & _). assert (Hg' := Hg). destruct Hg' as (_ & Rg & _).
@@ -147,8 +164,10 @@ assert (G := Rg k t). cbv zeta in G. fold q in G.
 assert (O := series_operator eta N (fun i => f (k + i)%nat t)).
 set (rest := eta ^ N * sum_first _ (S N)) in O |- *.
 assert (F : eta_series eta N (operator eta (fun i => f (k + i)%nat t))
-  = - (q + 1) * eta_series eta N (fun i => f (k + i)%nat t) + - ((q + 2) * eta + t) * eta_series eta N (fun i => f (k + 1 + i)%nat t)
-    + - (t * eta) * eta_series eta N (fun i => f (k + 2 + i)%nat t) + 1 * eta_series eta N (fun i => f (k + 3 + i)%nat t)
+  = - (q + 1) * eta_series eta N (fun i => f (k + i)%nat t) + - ((q + 2) * eta + t) * eta_series eta N (fun i =>
+    f (k + 1 + i)%nat t)
+    + - (t * eta) * eta_series eta N (fun i => f (k + 2 + i)%nat t) + 1 * eta_series eta N (fun i =>
+          f (k + 3 + i)%nat t)
     + eta / 2 * eta_series eta N (fun i => f (k + 4 + i)%nat t)).
 { rewrite <- !series_scal, <- !series_plus. apply series_ext. intros i. unfold operator.
   assert (R0 := Rf (k + i)%nat t). assert (R1 := Rf (k + 1 + i)%nat t). cbv zeta in R0, R1.
@@ -157,7 +176,8 @@ assert (F : eta_series eta N (operator eta (fun i => f (k + i)%nat t))
   replace (k + (i + 1))%nat with (k + i + 1)%nat by lia. replace (k + (i + 4))%nat with (k + i + 4)%nat by lia.
   replace (k + 2 + i)%nat with (k + i + 2)%nat by lia. replace (k + 3 + i)%nat with (k + i + 3)%nat by lia.
   replace (k + 4 + i)%nat with (k + i + 4)%nat by lia.
-  replace (k + 1 + i + 1)%nat with (k + i + 2)%nat in R1 by lia. replace (k + 1 + i + 3)%nat with (k + i + 4)%nat in R1 by lia.
+  replace (k + 1 + i + 1)%nat with (k + i + 2)%nat in R1 by lia.
+  replace (k + 1 + i + 3)%nat with (k + i + 4)%nat in R1 by lia.
   replace (k + 1 + i)%nat with (k + i + 1)%nat in R1 |- * by lia.
   apply (Rmult_eq_compat_l eta) in R1. lra. }
 rewrite F in O. unfold E, series_excess. lra.
@@ -173,13 +193,17 @@ assert (H : forall n k, -1 < s + INR k + INR n -> small (s + INR k + INR N + 4) 
     assert (L : forall i, (1 <= i)%nat -> small (Q + INR i) (fun x => E (j + i)%nat (- x))).
     { intros i Hi. replace (Q + INR i) with (s + INR (j + i) + INR N + 4) by (unfold Q; rewrite plus_INR; ring).
       apply IH. rewrite plus_INR. apply (le_INR 1) in Hi. simpl in Hi. lra. }
-    assert (E1 := L 1%nat (le_n _)). assert (E2 := L 2%nat ltac:(lia)). assert (E3 := small_weaken _ _ _ (L 3%nat ltac:(lia))).
+    assert (E1 := L 1%nat (le_n _)). assert (E2 := L 2%nat ltac:(lia)).
+    assert (E3 := small_weaken _ _ _ (L 3%nat ltac:(lia))).
     assert (E4 := small_weaken _ _ _ (L 4%nat ltac:(lia))).
     assert (X1 := small_mult _ 1 _ E1). assert (W1 := small_weaken _ _ _ E1).
     assert (X2 : small Q (fun x => x ^ 1 * E (j + 2)%nat (- x))).
-    { apply small_mult. apply (small_weaken _ 1). replace (Q + INR 1 + INR 1) with (Q + INR 2) by (simpl; ring). exact E2. }
-    assert (Rest : small Q (fun x => sum_first (fun m => series_coefficient N m * (INR (N + 3 * m) * f (j + (N + 3 * m))%nat (- x))) (S N))).
-    { apply (sum_first_small _ (fun m x => series_coefficient N m * (INR (N + 3 * m) * f (j + (N + 3 * m))%nat (- x)))). intros m _.
+    { apply small_mult. apply (small_weaken _ 1). replace (Q + INR 1 + INR 1) with (Q + INR 2) by (simpl; ring).
+      exact E2. }
+    assert (Rest : small Q (fun x =>
+      sum_first (fun m => series_coefficient N m * (INR (N + 3 * m) * f (j + (N + 3 * m))%nat (- x))) (S N))).
+    { apply (sum_first_small _ (fun m x => series_coefficient N m * (INR (N + 3 * m) * f (j + (N + 3 * m))%nat (- x)))).
+      intros m _.
       destruct m as [|m].
       - destruct N as [|N']; [lia|]. exists 0. intros x _. rewrite coefficient_0, Rmult_0_l, Rabs_R0. lra.
       - apply small_scal, small_scal. apply (small_weaken _ (3 * m)). unfold Q.
@@ -187,7 +211,8 @@ assert (H : forall n k, -1 < s + INR k + INR n -> small (s + INR k + INR N + 4) 
         apply theta_small. rewrite plus_INR, !mult_INR, (S_INR m). simpl (INR 3). ring. }
     set (q := s + INR j) in *. assert (Nq : q + 1 <> 0) by (intros Z; apply (ok_plus s j Hs 0%nat); simpl; fold q; lra).
     assert (S := small_scal _ (/ (q + 1)) _ (small_plus _ _ _
-      (small_plus _ _ _ (small_plus _ _ _ (small_scal _ (- ((q + 2) * eta)) _ W1) X1) (small_plus _ _ _ (small_scal _ eta _ X2)
+      (small_plus _ _ _ (small_plus _ _ _ (small_scal _ (- ((q + 2) * eta)) _ W1) X1)
+        (small_plus _ _ _ (small_scal _ eta _ X2)
         (small_plus _ _ _ E3 (small_scal _ (eta / 2) _ E4))))
       (small_scal _ (- eta ^ N) _ Rest))).
     eapply small_ext; [|exact S]. intros x Hx. cbv beta.
@@ -210,7 +235,8 @@ assert (U : 0 <= B n t + E n t).
   - intros k u. apply (is_derive_plus (B k) (E k)); [apply bound_derive|apply excess_derive].
   - intros k _. replace (s + INR k - - (INR N + 4)) with (s + INR k + INR N + 4) by ring.
     apply (small_plus _ (fun x => B k (- x)) (fun x => E k (- x))); [apply bound_small|apply series_excess_small].
-  - intros k u Hk. assert (A := excess_within_bound k u Hk). assert (A' := Rle_abs (- E k u)). rewrite Rabs_Ropp in A'. lra. }
+  - intros k u Hk. assert (A := excess_within_bound k u Hk). assert (A' := Rle_abs (- E k u)). rewrite Rabs_Ropp in A'.
+    lra. }
 apply Rabs_le. lra.
 Qed.
 End Order.

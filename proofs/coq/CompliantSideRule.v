@@ -1,20 +1,25 @@
 (** * The compliant model: the exact side rule for every state
 
-    A motion in contact with p = a1 t is, in T = t/eps, a solution of the equation of the deviation; so its force less the mean is K times that of the slow motion with C = 1,
-    up to O(e^(gt)) for every g > 0 ([CompliantSplit]), while the slow motion's outgrows every exponential with the sign of Gamma(-beta). *)
+    A motion in contact with p = a1 t is, in T = t/eps, a solution of the equation of the deviation; so its force less
+    the mean is K times that of the slow motion with C = 1, up to O(e^(gt)) for every g > 0 ([CompliantSplit]), while
+    the slow motion's outgrows every exponential with the sign of Gamma(-beta). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral CompliantSlow
-  CompliantMechanism CompliantCone CompliantContact CompliantForward CompliantSlowMotion CompliantExcess CompliantDichotomy CompliantSplit.
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral CompliantSlow
+  CompliantMechanism CompliantCone CompliantContact CompliantForward CompliantSlowMotion CompliantExcess
+    CompliantDichotomy CompliantSplit.
 Open Scope R_scope.
 
 (** ** From a splitting to the sides *)
 
-Lemma exponential_wins A a g M : 0 < a -> exists T, 0 <= T /\ forall t, T <= t -> A * exp (g * t) + M <= a * exp ((Rabs g + 1) * t).
+Lemma exponential_wins A a g M : 0 < a -> exists T, 0 <= T /\ forall t, T <= t -> A * exp (g * t) + M <= a * exp
+  ((Rabs g + 1) * t).
 Proof.
 intros Ha. set (S := (Rabs A + Rabs M) / a).
-assert (HS : 0 <= S) by (unfold S; apply Rmult_le_pos; [generalize (Rabs_pos A) (Rabs_pos M); lra|apply Rlt_le, Rinv_0_lt_compat, Ha]).
+assert (HS : 0 <= S) by (unfold S; apply Rmult_le_pos; [generalize (Rabs_pos A) (Rabs_pos M); lra|apply Rlt_le,
+  Rinv_0_lt_compat, Ha]).
 exists S. split; auto. intros t Ht. set (G := Rabs g). assert (HG : 0 <= G) by apply Rabs_pos.
 assert (HGt : 0 <= G * t) by (apply Rmult_le_pos; lra).
 replace (exp ((G + 1) * t)) with (exp (G * t) * exp t) by (rewrite <- exp_plus; f_equal; ring).
@@ -22,7 +27,8 @@ assert (E1 : 1 <= exp (G * t)) by (rewrite <- exp_0; apply exp_le; lra).
 assert (E2 : exp (g * t) <= exp (G * t)) by (apply exp_le, Rmult_le_compat_r; [lra|apply Rle_abs]).
 assert (E3 := exp_ineq1_le t). assert (E4 := exp_pos (g * t)).
 assert (A1 : A * exp (g * t) <= Rabs A * exp (G * t)).
-{ apply Rle_trans with (Rabs A * exp (g * t)); [apply Rmult_le_compat_r; [lra|apply Rle_abs]|apply Rmult_le_compat_l; [apply Rabs_pos|lra]]. }
+{ apply Rle_trans with (Rabs A * exp (g * t)); [apply Rmult_le_compat_r; [lra|apply Rle_abs]|apply Rmult_le_compat_l;
+    [apply Rabs_pos|lra]]. }
 assert (A2 : M <= Rabs M * exp (G * t)).
 { apply Rle_trans with (Rabs M * 1); [generalize (Rle_abs M); lra|apply Rmult_le_compat_l; [apply Rabs_pos|lra]]. }
 assert (A3 : Rabs A + Rabs M <= a * exp t).
@@ -38,14 +44,17 @@ Hypothesis Grow : forall g, 0 <= g -> exists c T, 0 < c /\ forall t, T <= t -> c
 
 Lemma side_limit : is_lim (fun t => f t / s t) p_infty K.
 Proof.
-apply is_lim_spec. intros r. destruct (Split 1 ltac:(lra)) as (A & T1 & HA). destruct (Grow 2 ltac:(lra)) as (c & T2 & Hc & HG).
+apply is_lim_spec. intros r. destruct (Split 1 ltac:(lra)) as (A & T1 & HA).
+destruct (Grow 2 ltac:(lra)) as (c & T2 & Hc & HG).
 assert (HaG : 0 < Rabs Gam) by (apply Rabs_pos_lt; auto).
 assert (Ha : 0 < r * c / Rabs Gam).
 { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; [apply cond_pos|auto]. }
 destruct (exponential_wins A (r * c / Rabs Gam / 2) 1 0 ltac:(lra)) as (T3 & HT3 & H3).
 exists (Rmax (Rmax T1 T2) T3). intros t Ht.
-assert (M1 := Rmax_l (Rmax T1 T2) T3). assert (M2 := Rmax_r (Rmax T1 T2) T3). assert (M3 := Rmax_l T1 T2). assert (M4 := Rmax_r T1 T2).
-specialize (HA t ltac:(lra)). specialize (HG t ltac:(lra)). specialize (H3 t ltac:(lra)). rewrite Rabs_R1 in H3. replace (1 + 1) with 2 in H3 by ring.
+assert (M1 := Rmax_l (Rmax T1 T2) T3). assert (M2 := Rmax_r (Rmax T1 T2) T3). assert (M3 := Rmax_l T1 T2).
+assert (M4 := Rmax_r T1 T2).
+specialize (HA t ltac:(lra)). specialize (HG t ltac:(lra)). specialize (H3 t ltac:(lra)). rewrite Rabs_R1 in H3.
+replace (1 + 1) with 2 in H3 by ring.
 set (E := exp (2 * t)) in *. assert (HE : 0 < E) by apply exp_pos.
 assert (HcE : 0 < c * E) by (apply Rmult_lt_0_compat; auto).
 assert (Hs : s t <> 0) by (intros E0; rewrite E0 in HG; lra).
@@ -66,10 +75,12 @@ Proof.
 intros HK g. set (G := Rabs g + 1). assert (HG0 : 1 <= G) by (unfold G; generalize (Rabs_pos g); lra).
 destruct (Split G ltac:(lra)) as (A & T1 & HA). destruct (Grow (G + 1) ltac:(lra)) as (c & T2 & Hc & HG).
 set (q := K / Gam). assert (Hq : 0 < q).
-{ unfold q. replace (K / Gam) with (K * Gam * (/ Gam) ^ 2) by (field; auto). apply Rmult_lt_0_compat; auto. apply pow2_gt_0, Rinv_neq_0_compat, HGam. }
+{ unfold q. replace (K / Gam) with (K * Gam * (/ Gam) ^ 2) by (field; auto). apply Rmult_lt_0_compat; auto.
+  apply pow2_gt_0, Rinv_neq_0_compat, HGam. }
 destruct (exponential_wins (A + 1) (q * c) G 0 ltac:(apply Rmult_lt_0_compat; auto)) as (T3 & HT3 & H3).
 exists (Rmax (Rmax T1 T2) T3). intros t Ht.
-assert (M1 := Rmax_l (Rmax T1 T2) T3). assert (M2 := Rmax_r (Rmax T1 T2) T3). assert (M3 := Rmax_l T1 T2). assert (M4 := Rmax_r T1 T2).
+assert (M1 := Rmax_l (Rmax T1 T2) T3). assert (M2 := Rmax_r (Rmax T1 T2) T3). assert (M3 := Rmax_l T1 T2).
+assert (M4 := Rmax_r T1 T2).
 specialize (HA t ltac:(lra)). specialize (HG t ltac:(lra)). specialize (H3 t ltac:(lra)).
 rewrite (Rabs_pos_eq G), Rplus_0_r in H3 by lra. apply Rabs_le_between in HA.
 assert (B : q * (c * exp ((G + 1) * t)) <= q * (Gam * s t)) by (apply Rmult_le_compat_l; lra).
@@ -118,7 +129,8 @@ refine (conj _ (conj _ (conj _ _))).
 - apply (is_derive_val _ _ _ _ (scale_derive eps _ _ 1 T D0)). unfold x1. ring.
 - apply (is_derive_val _ _ _ _ (scale_derive eps _ _ (- a3 * eps) T D1)). unfold x2. ring.
 - apply (is_derive_val _ _ _ _ (scale_derive eps _ _ (- a3 * eps ^ 2) T D2)). unfold x3. ring.
-- apply (is_derive_val _ _ _ _ (scale_derive eps _ _ (- a3 * eps ^ 3) T D3)). unfold x0, x1, x2, x3. field. repeat split; lra.
+- apply (is_derive_val _ _ _ _ (scale_derive eps _ _ (- a3 * eps ^ 3) T D3)). unfold x0, x1, x2, x3. field.
+  repeat split; lra.
 Qed.
 
 (** K with the remainders, in t *)
@@ -136,7 +148,8 @@ End Motion.
 
 Lemma slow_grows n g : 0 <= g -> exists c T, 0 < c /\ forall t, T <= t -> c * exp (g * t) <= fs n (t / eps).
 Proof.
-intros Hg. destruct (slow_exponential (- a1 * eps) (a3 / a1) Hee Hb n (g * eps) ltac:(apply Rmult_le_pos; lra)) as (c & T & Hc & _ & HF).
+intros Hg. destruct (slow_exponential (- a1 * eps) (a3 / a1) Hee Hb n (g * eps) ltac:(apply Rmult_le_pos; lra))
+  as (c & T & Hc & _ & HF).
 exists c, (eps * T). split; auto. intros t Ht.
 assert (HT : T <= t / eps).
 { apply Rmult_le_reg_l with eps; auto. replace (eps * (t / eps)) with t by (field; lra). exact Ht. }
@@ -146,8 +159,10 @@ Qed.
 Lemma slow_excess P B Y V Z : slow_motion a1 a2 a3 eps 1 P B Y V Z ->
   forall t, Gam * force_excess a1 a2 a3 eps (Y t) (Z t) = fs 1%nat (t / eps) / (- a3 * eps).
 Proof.
-intros HS t. assert (E := slow_force a1 a2 a3 eps Hpar 1 P B Y V Z HS t). unfold linear_force in E. unfold force_excess. rewrite E.
-unfold sol_l, fs, slow_derivative. change (Derive_n (Fe (- a1 * eps) (a3 / a1)) 1 (t / eps)) with (Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)).
+intros HS t. assert (E := slow_force a1 a2 a3 eps Hpar 1 P B Y V Z HS t). unfold linear_force in E. unfold force_excess.
+rewrite E.
+unfold sol_l, fs, slow_derivative.
+change (Derive_n (Fe (- a1 * eps) (a3 / a1)) 1 (t / eps)) with (Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)).
 fold Gam. field. repeat split; lra.
 Qed.
 
@@ -163,8 +178,10 @@ Proof. exact (not_nat_Gamma (a3 / a1) Hb). Qed.
 Lemma slow_outgrows g : 0 <= g -> exists c T, 0 < c /\ forall t, T <= t -> c * exp (g * t) <= Gam * slow t.
 Proof.
 intros Hg. destruct (slow_grows 1 g Hg) as (c & T & Hc & HF). assert (Hk : 0 < / (- a3 * eps)) by (apply k_pos; auto).
-exists (c * / (- a3 * eps)), T. split; [apply Rmult_lt_0_compat; auto|]. intros t Ht. unfold slow. rewrite (slow_excess P B Y V Z HS t).
-replace (c * / (- a3 * eps) * exp (g * t)) with (c * exp (g * t) * / (- a3 * eps)) by ring. apply Rmult_le_compat_r; [lra|auto].
+exists (c * / (- a3 * eps)), T. split; [apply Rmult_lt_0_compat; auto|]. intros t Ht. unfold slow.
+rewrite (slow_excess P B Y V Z HS t).
+replace (c * / (- a3 * eps) * exp (g * t)) with (c * exp (g * t) * / (- a3 * eps)) by ring.
+apply Rmult_le_compat_r; [lra|auto].
 Qed.
 
 Theorem sides_of_splitting K0 : splits p b y v z K0 ->
@@ -174,11 +191,14 @@ Theorem sides_of_splitting K0 : splits p b y v z K0 ->
 Proof.
 intros HK. assert (HG := gam_neq). assert (Hk : 0 < / (- a3 * eps)) by (apply k_pos; auto).
 assert (HSp : forall g, 0 < g -> exists A T, forall t, T <= t -> Rabs (f t - K0 * Gam * slow t) <= A * exp (g * t)).
-{ intros g Hg. destruct (HK g Hg) as (A & T & HA). exists (/ (- a3 * eps) * A), T. intros t Ht. destruct (HA t Ht) as (_ & A1 & _).
+{ intros g Hg. destruct (HK g Hg) as (A & T & HA). exists (/ (- a3 * eps) * A), T. intros t Ht.
+  destruct (HA t Ht) as (_ & A1 & _).
   assert (E := slow_excess P B Y V Z HS t). fold (slow t) in E.
-  replace (f t - K0 * Gam * slow t) with (/ (- a3 * eps) * (- a3 * eps * excess a1 a2 a3 eps y z t - K0 * fs 1%nat (t / eps))).
+  replace (f t - K0 * Gam * slow t) with (/ (- a3 * eps) * (- a3 * eps * excess a1 a2 a3 eps y z t - K0 * fs 1%nat
+    (t / eps))).
   2: { rewrite (Rmult_assoc K0), E. unfold excess. fold (f t). field. split; lra. }
-  rewrite Rabs_mult, (Rabs_pos_eq (/ (- a3 * eps))), (Rmult_assoc (/ (- a3 * eps)) A) by lra. apply Rmult_le_compat_l; lra. }
+  rewrite Rabs_mult, (Rabs_pos_eq (/ (- a3 * eps))), (Rmult_assoc (/ (- a3 * eps)) A) by lra.
+  apply Rmult_le_compat_l; lra. }
 refine (conj _ (conj _ _)).
 - apply (side_limit _ Gam f slow HG HSp slow_outgrows).
 - intros Hp. apply (side_above _ Gam f slow HG HSp slow_outgrows Hp).

@@ -1,11 +1,12 @@
 (** * The compliant model: the slow solution of the deviation
 
-    F_b = J_(-b-1)/Gamma(-b) ([Fe e b]) solves the equation of the deviation, F_b(-x) ~ x^b, Gamma(-b) F_b^(n) > 0 for n > b. For 0 < b < 1 all
-    its derivatives are negative on the whole line, at every eps. *)
+    F_b = J_(-b-1)/Gamma(-b) ([Fe e b]) solves the equation of the deviation, F_b(-x) ~ x^b, Gamma(-b) F_b^(n) > 0 for n
+    > b. For 0 < b < 1 all its derivatives are negative on the whole line, at every eps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral.
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral.
 Open Scope R_scope.
 
 Section Slow.
@@ -90,7 +91,8 @@ intros Hb. split.
 - intros t. assert (Hg := not_nat_Gamma b Hb).
   assert (HR := (Je_recurrence e He) (- b - 1) t (ok_not_nat b Hb)).
   assert (H := fun n => Fe_derive_n b n t Hb).
-  assert (H0 := H 0%nat). assert (H1 := H 1%nat). assert (H2 := H 2%nat). assert (H3 := H 3%nat). assert (H4 := H 4%nat).
+  assert (H0 := H 0%nat). assert (H1 := H 1%nat). assert (H2 := H 2%nat). assert (H3 := H 3%nat).
+  assert (H4 := H 4%nat).
   change (Derive_n (Fe b) 0 t) with (Fe b t) in H0. change (Derive_n (Fe b) 1 t) with (Derive (Fe b) t) in H1.
   simpl INR in H0, H1, H2, H3, H4.
   replace (0 - b - 1) with (- b - 1) in H0 by ring.

@@ -1,12 +1,13 @@
 (** * The compliant model: slow motions
 
-    A slow motion with coefficient C, in the words of [Statement.v], is "trivial + C F_beta(t/eps)": its b is small enough at
-    t -> -oo for [contact_unique], and the limit of the quotient picks C. The theorems about [sol_...] so become theorems about
-    every slow motion. *)
+    A slow motion with coefficient C, in the words of [Statement.v], is "trivial + C F_beta(t/eps)": its b is small
+    enough at t -> -oo for [contact_unique], and the limit of the quotient picks C. The theorems about [sol_...] so
+    become theorems about every slow motion. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral
   CompliantSlow CompliantMechanism CompliantCone CompliantUnique CompliantContact CompliantDependence CompliantMotion
   CompliantForward CompliantZeros CompliantCases CompliantOpen.
 Open Scope R_scope.
@@ -24,7 +25,8 @@ Let H3 := par3.
 Let He := par_eps.
 Let Hb := par_beta.
 
-Lemma sol_limit C : is_lim (fun x => (sol_b a1 a2 a3 eps C (- x) - a2 / (a1 - a3) * a1 * - x) / Rpower (x / eps) (a3 / a1)) p_infty C.
+Lemma sol_limit C : is_lim (fun x => (sol_b a1 a2 a3 eps C (- x) - a2 / (a1 - a3) * a1 * - x) / Rpower (x / eps)
+  (a3 / a1)) p_infty C.
 Proof.
 assert (HF := Fe_asymptotics (- a1 * eps) (He' a1 eps H1 He) (a3 / a1) Hb).
 apply (is_lim_ext (fun x => C * (Fe (- a1 * eps) (a3 / a1) (- (x / eps)) / Rpower (x / eps) (a3 / a1)))).
@@ -84,7 +86,8 @@ Theorem slow_motion_is_sol C p b y v z : slow_motion a1 a2 a3 eps C p b y v z ->
     v t = sol_v a1 a3 eps C t /\ z t = sol_z a1 a2 a3 eps C t /\ linear_force eps (y t) (z t) = sol_l a1 a2 a3 eps C t.
 Proof.
 intros HS. assert (Gb := slow_motion_small _ _ _ _ _ _ HS). destruct HS as (Hp & Hm & HL).
-destruct (contact_unique a1 a2 a3 eps H1 H3 He Hb p_infty p b y v z (fun t _ => Hp t) (fun t _ => Hm t) Gb) as (C' & HC).
+destruct (contact_unique a1 a2 a3 eps H1 H3 He Hb p_infty p b y v z (fun t _ => Hp t) (fun t _ => Hm t) Gb)
+  as (C' & HC).
 assert (EC : C' = C).
 { assert (HL' := sol_limit C').
   apply (is_lim_ext _ (fun x => (b (- x) - a2 / (a1 - a3) * a1 * - x) / Rpower (x / eps) (a3 / a1))) in HL'.
@@ -145,7 +148,8 @@ Theorem side_rule :
 Proof.
 split; intros HC M.
 - destruct (side_rule_up a1 a2 a3 eps C H1 H3 He Hb HC M) as (T & HT). exists T. intros t Ht. rewrite slow_force. auto.
-- destruct (side_rule_down a1 a2 a3 eps C H1 H3 He Hb HC M) as (T & HT). exists T. intros t Ht. rewrite slow_force. auto.
+- destruct (side_rule_down a1 a2 a3 eps C H1 H3 He Hb HC M) as (T & HT). exists T. intros t Ht. rewrite slow_force.
+  auto.
 Qed.
 
 Theorem IWC_compliant t0 p b y v z : IWC_side (a3 / a1) C ->
@@ -175,7 +179,8 @@ assert (HM : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V Z 
   intros t Ht. destruct HS as (_ & Hm & _). specialize (Hm t). unfold model_at in *.
   rewrite contact_force_in_contact; auto. rewrite slow_force.
   destruct (Rle_lt_or_eq_dec _ _ Ht) as [Hl|<-]; [apply Rlt_le, Hpos, Hl|exact S0]. }
-destruct (CompliantMotion.motion_exists a1 a2 a3 eps He contact_force (contact_lipschitz eps He) t0 (P t0) (B t0) (Y t0) (V t0) (Z t0))
+destruct (CompliantMotion.motion_exists a1 a2 a3 eps He contact_force (contact_lipschitz eps He) t0 (P t0) (B t0) (Y t0)
+  (V t0) (Z t0))
   as (p & b & y & v & z & Hm & Ep & Eb & Ey & Ev & Ez).
 exists p, b, y, v, z. split; auto. intros t Ht.
 apply (forward_unique a1 a2 a3 eps He p b y v z P B Y V Z t0 t); auto; try lra. intros s Hs. apply HM. lra.
@@ -221,7 +226,8 @@ Proof.
 intros Hlt HC deviation.
 destruct (IWC_model a1 a2 a3 eps C H1 H3 He Hb (or_introl (conj Hlt HC))) as (Hinc & Hinf & _).
 set (mean := a2 / (a3 - a1)) in *.
-assert (E : forall t, deviation t = sol_l a1 a2 a3 eps C t - mean) by (intros t; unfold deviation; rewrite slow_force; reflexivity).
+assert (E : forall t, deviation t = sol_l a1 a2 a3 eps C t - mean) by (intros t; unfold deviation; rewrite slow_force;
+  reflexivity).
 assert (Inc : forall s t, s < t -> deviation s < deviation t).
 { intros s t Hst. rewrite !E. assert (A := Hinc s t Hst). lra. }
 refine (conj _ (conj Inc (conj _ _))).

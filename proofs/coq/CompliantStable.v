@@ -1,11 +1,13 @@
 (** * The compliant model: impact without collision is stable
 
-    A motion in contact from t0 on that comes into the cone of [CompliantLateCone], as a slow motion on the side C Gamma(-beta) > 0 does, is in it at some time T. Up to T
-    motions that start near it stay near it ([motions_close]), so in contact; at T they are in the cone, which is open; after T they stay there. *)
+    A motion in contact from t0 on that comes into the cone of [CompliantLateCone], as a slow motion on the side C
+    Gamma(-beta) > 0 does, is in it at some time T. Up to T motions that start near it stay near it ([motions_close]),
+    so in contact; at T they are in the cone, which is open; after T they stay there. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction CompliantMechanism CompliantContact CompliantDependence CompliantForward CompliantSlowMotion
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction CompliantMechanism CompliantContact
+  CompliantDependence CompliantForward CompliantSlowMotion
   CompliantLateCone.
 Open Scope R_scope.
 
@@ -13,7 +15,8 @@ Lemma linear_bound k x r : Rabs x <= r -> Rabs (k * x) <= Rabs k * r.
 Proof. intros H. rewrite Rabs_mult. apply Rmult_le_compat_l; auto using Rabs_pos. Qed.
 
 (** The conditions of the cone are affine in the changes of the state, but for a product with that of p. *)
-Lemma open_condition X k0 k1 k2 k3 k4 k5 : 0 < X -> exists r0, 0 < r0 /\ forall r p b y v z, 0 < r -> r <= r0 -> r <= 1 ->
+Lemma open_condition X k0 k1 k2 k3 k4 k5 : 0 < X -> exists r0, 0 < r0 /\ forall r p b y v z, 0 < r -> r <= r0 ->
+  r <= 1 ->
   Rabs p <= r -> Rabs b <= r -> Rabs y <= r -> Rabs v <= r -> Rabs z <= r ->
   0 < X + (k0 * p + k1 * b + k2 * y + k3 * v + k4 * z + k5 * (p * (z - y))).
 Proof.
@@ -36,7 +39,8 @@ Qed.
 
 (** The cone is open. *)
 Lemma late_cone_open a1 a2 a3 eps P B Y V Z : a1 <> a3 -> 0 < eps -> late_cone a1 a2 a3 eps P B Y V Z ->
-  exists r, 0 < r <= 1 /\ forall p b y v z, Rabs (p - P) <= r -> Rabs (b - B) <= r -> Rabs (y - Y) <= r -> Rabs (v - V) <= r ->
+  exists r, 0 < r <= 1 /\ forall p b y v z, Rabs (p - P) <= r -> Rabs (b - B) <= r -> Rabs (y - Y) <= r ->
+    Rabs (v - V) <= r ->
     Rabs (z - Z) <= r -> late_cone a1 a2 a3 eps p b y v z.
 Proof.
 intros Ha13 He (C0 & C1 & C2 & C3). unfold late_cone, force_excess, force_excess1, force_excess2 in *.
@@ -48,15 +52,19 @@ destruct (open_condition (eps * (((Y - 2 * Z) / eps - V) / eps ^ 2) - ((Z - Y) /
   0 0 (2 / eps ^ 2) (- / eps) (- 3 / eps ^ 2) 0 ltac:(lra)) as (r2 & R2 & F2).
 destruct (open_condition (eps ^ 2 * (((V - 2 * ((Y - 2 * Z) / eps)) / eps - (B + P * ((Z - Y) / eps ^ 2))) / eps ^ 2)
     - (eps * (((Y - 2 * Z) / eps - V) / eps ^ 2) + 2 * ((Z - Y) / eps ^ 2 - a2 / (a3 - a1))))
-  (- (Z - Y) / eps ^ 2) (- 1) (- 1 / eps ^ 2 + P / eps ^ 2) (2 / eps) (4 / eps ^ 2 - P / eps ^ 2) (- / eps ^ 2) ltac:(lra)) as (r3 & R3 & F3).
+  (- (Z - Y) / eps ^ 2) (- 1) (- 1 / eps ^ 2 + P / eps ^ 2) (2 / eps) (4 / eps ^ 2 - P / eps ^ 2) (- / eps ^ 2)
+    ltac:(lra)) as (r3 & R3 & F3).
 set (r := Rmin (Rmin (Rmin r0 r1) (Rmin r2 r3)) 1).
 assert (M1 := Rmin_l (Rmin (Rmin r0 r1) (Rmin r2 r3)) 1). assert (M2 := Rmin_r (Rmin (Rmin r0 r1) (Rmin r2 r3)) 1).
 assert (M3 := Rmin_l (Rmin r0 r1) (Rmin r2 r3)). assert (M4 := Rmin_r (Rmin r0 r1) (Rmin r2 r3)).
-assert (M5 := Rmin_l r0 r1). assert (M6 := Rmin_r r0 r1). assert (M7 := Rmin_l r2 r3). assert (M8 := Rmin_r r2 r3). fold r in M1, M2.
+assert (M5 := Rmin_l r0 r1). assert (M6 := Rmin_r r0 r1). assert (M7 := Rmin_l r2 r3). assert (M8 := Rmin_r r2 r3).
+fold r in M1, M2.
 assert (Hr : 0 < r) by (unfold r; repeat apply Rmin_pos; lra).
 exists r. split; [lra|]. intros p b y v z Dp Db Dy Dv Dz.
-specialize (F0 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz). specialize (F1 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz).
-specialize (F2 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz). specialize (F3 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz).
+specialize (F0 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz).
+specialize (F1 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz).
+specialize (F2 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz).
+specialize (F3 r _ _ _ _ _ Hr ltac:(lra) M2 Dp Db Dy Dv Dz).
 clearbody q.
 refine (conj _ (conj _ (conj _ _))); apply Rminus_gt_0_lt.
 - eapply Rlt_le_trans; [exact F0|right]. ring.
@@ -81,14 +89,17 @@ Qed.
 
 Lemma slow_comes_into_cone a1 a2 a3 eps C p b y v z : parameters a1 a3 eps -> 0 < C * Gamma (- (a3 / a1)) ->
   slow_motion a1 a2 a3 eps C p b y v z ->
-  exists T, forall t, T <= t -> p t <= - (6 - 2 * a3 * eps) /\ y t < z t /\ late_cone a1 a2 a3 eps (p t) (b t) (y t) (v t) (z t).
+  exists T, forall t, T <= t -> p t <= - (6 - 2 * a3 * eps) /\ y t < z t /\ late_cone a1 a2 a3 eps (p t) (b t) (y t)
+    (v t) (z t).
 Proof.
 intros Hpar HC HS.
-assert (Ha1 := par1 a1 a3 eps Hpar). assert (Ha3 := par3 a1 a3 eps Hpar). assert (He := par_eps a1 a3 eps Hpar). assert (Hb := par_beta a1 a3 eps Hpar).
+assert (Ha1 := par1 a1 a3 eps Hpar). assert (Ha3 := par3 a1 a3 eps Hpar). assert (He := par_eps a1 a3 eps Hpar).
+assert (Hb := par_beta a1 a3 eps Hpar).
 destruct (slow_in_late_cone a1 a2 a3 eps C Ha1 Ha3 He Hb HC) as (T1 & HT1 & Hcone).
 destruct (side_rule_up a1 a2 a3 eps C Ha1 Ha3 He Hb HC 1) as (T2 & Hforce).
 exists (Rmax (Rmax T1 T2) ((6 - 2 * a3 * eps) / - a1)). intros t Ht.
-assert (M1 := Rmax_l (Rmax T1 T2) ((6 - 2 * a3 * eps) / - a1)). assert (M2 := Rmax_r (Rmax T1 T2) ((6 - 2 * a3 * eps) / - a1)).
+assert (M1 := Rmax_l (Rmax T1 T2) ((6 - 2 * a3 * eps) / - a1)).
+assert (M2 := Rmax_r (Rmax T1 T2) ((6 - 2 * a3 * eps) / - a1)).
 assert (M3 := Rmax_l T1 T2). assert (M4 := Rmax_r T1 T2).
 destruct (slow_motion_is_sol a1 a2 a3 eps Hpar C p b y v z HS t) as (-> & -> & F3 & -> & F5 & Fl).
 refine (conj _ (conj _ _)).
@@ -99,7 +110,8 @@ refine (conj _ (conj _ _)).
 - rewrite F3, F5. apply Hcone. lra.
 Qed.
 
-Lemma continuous_bounds (f : R -> R) a d : a <= d -> (forall t, a <= t <= d -> ex_derive f t) -> (forall t, a <= t <= d -> 0 < f t) ->
+Lemma continuous_bounds (f : R -> R) a d : a <= d -> (forall t, a <= t <= d -> ex_derive f t) ->
+  (forall t, a <= t <= d -> 0 < f t) ->
   exists m M, 0 < m /\ 0 <= M /\ forall t, a <= t <= d -> m <= f t <= M.
 Proof.
 intros Had Hf Hp.
@@ -131,13 +143,15 @@ Lemma near_until te r : t0 <= te -> 0 < r <= 1 -> exists delta, 0 < delta /\ for
   (forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) ->
   Rabs (p t0 - P t0) < delta -> Rabs (b t0 - B t0) < delta -> Rabs (y t0 - Y t0) < delta ->
   Rabs (v t0 - V t0) < delta -> Rabs (z t0 - Z t0) < delta -> forall t, t0 <= t <= te ->
-  Rabs (p t - P t) <= r /\ Rabs (b t - B t) <= r /\ Rabs (y t - Y t) <= r /\ Rabs (v t - V t) <= r /\ Rabs (z t - Z t) <= r.
+  Rabs (p t - P t) <= r /\ Rabs (b t - B t) <= r /\ Rabs (y t - Y t) <= r /\ Rabs (v t - V t) <= r /\
+    Rabs (z t - Z t) <= r.
 Proof.
 intros Hte Hr.
 destruct (continuous_bounds (fun t => (Z t - Y t) / eps ^ 2) t0 te Hte) as (m & M & Hm & HM & HB).
 { intros t Ht. destruct (reference_model t (proj1 Ht)) as (_ & _ & Dy & _ & Dz).
   assert (Xz : ex_derive Z t).
-  { exists (/ eps * (- Z t - eps ^ 2 * contact_force eps (Y t) (Z t))). apply (is_derive_ext (fun s => / eps * (eps * Z s))).
+  { exists (/ eps * (- Z t - eps ^ 2 * contact_force eps (Y t) (Z t))).
+    apply (is_derive_ext (fun s => / eps * (eps * Z s))).
     { intros s. match goal with |- ?x = ?y => change (@eq R x y) end. field; lra. }
     apply (is_derive_scal (fun s => eps * Z s)), Dz. }
   assert (Xy : ex_derive Y t) by (eexists; exact Dy). auto_derive. auto. }
@@ -147,17 +161,20 @@ set (K := 2 * Rabs a3 * / eps ^ 2 + 3 + 2 * Pm * / eps ^ 2 + 3 / eps + 2 * eps *
 set (G := exp (K * (te - t0))).
 assert (Hq : 0 < / eps ^ 2) by (apply Rinv_0_lt_compat, pow_lt, He).
 assert (HPm : 0 <= Pm).
-{ unfold Pm. assert (0 <= Rabs a1 * (Rabs t0 + Rabs te)) by (apply Rmult_le_pos; generalize (Rabs_pos a1) (Rabs_pos t0) (Rabs_pos te); lra). lra. }
+{ unfold Pm. assert (0 <= Rabs a1 * (Rabs t0 + Rabs te))
+    by (apply Rmult_le_pos; generalize (Rabs_pos a1) (Rabs_pos t0) (Rabs_pos te); lra). lra. }
 assert (HK : 0 <= K).
 { unfold K. assert (0 <= Rabs a3 * / eps ^ 2) by (apply Rmult_le_pos; [apply Rabs_pos|lra]).
-  assert (0 <= Pm * / eps ^ 2) by (apply Rmult_le_pos; lra). assert (0 < eps * / eps ^ 2) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= Pm * / eps ^ 2) by (apply Rmult_le_pos; lra).
+  assert (0 < eps * / eps ^ 2) by (apply Rmult_lt_0_compat; lra).
   assert (0 < 3 / eps) by (apply Rdiv_lt_0_compat; lra). lra. }
 assert (HG : 1 <= G).
 { unfold G. rewrite <- exp_0. apply exp_le. apply Rmult_le_pos; lra. }
 set (A := (4 + M ^ 2) * G).
 assert (HA : 1 <= A).
 { unfold A. generalize (pow2_ge_0 M). intros. assert (1 * 1 <= (4 + M ^ 2) * G) by (apply Rmult_le_compat; lra). lra. }
-assert (HA1 : 0 < / A) by (apply Rinv_0_lt_compat; lra). assert (HA2 : / A <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+assert (HA1 : 0 < / A) by (apply Rinv_0_lt_compat; lra).
+assert (HA2 : / A <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
 set (delta := r * / A).
 assert (Hd : 0 < delta) by (apply Rmult_lt_0_compat; lra).
 assert (Hdr : delta <= r) by (unfold delta; rewrite <- (Rmult_1_r r) at 2; apply Rmult_le_compat_l; lra).
@@ -183,22 +200,27 @@ assert (Heta : forall t, t0 <= t <= te -> ((p t - P t) * contact_force eps (Y t)
 assert (Mc := motions_close a1 a2 a3 eps He p b y v z P B Y V Z t0 te Pm eta (fun t Ht => H t (proj1 Ht))
   (fun t Ht => reference_model t (proj1 Ht)) Bp Heta).
 cbv beta zeta in Mc. fold K in Mc.
-assert (E0 : (b t0 - B t0) ^ 2 + (y t0 - Y t0) ^ 2 + (v t0 - V t0) ^ 2 + (z t0 - Z t0) ^ 2 + eta <= (4 + M ^ 2) * delta ^ 2).
+assert (E0 : (b t0 - B t0) ^ 2 + (y t0 - Y t0) ^ 2 + (v t0 - V t0) ^ 2 + (z t0 - Z t0) ^ 2 + eta
+  <= (4 + M ^ 2) * delta ^ 2).
 { assert (S1 := abs_le_sq _ _ (Rlt_le _ _ Ib)). assert (S2 := abs_le_sq _ _ (Rlt_le _ _ Iy)).
   assert (S3 := abs_le_sq _ _ (Rlt_le _ _ Iv)). assert (S4 := abs_le_sq _ _ (Rlt_le _ _ Iz)).
-  replace ((4 + M ^ 2) * delta ^ 2) with (delta ^ 2 + delta ^ 2 + delta ^ 2 + delta ^ 2 + eta) by (unfold eta; ring). lra. }
+  replace ((4 + M ^ 2) * delta ^ 2) with (delta ^ 2 + delta ^ 2 + delta ^ 2 + delta ^ 2 + eta) by (unfold eta; ring).
+  lra. }
 intros t Ht. specialize (Mc t Ht).
 assert (Fin : (b t - B t) ^ 2 + (y t - Y t) ^ 2 + (v t - V t) ^ 2 + (z t - Z t) ^ 2 + eta <= r ^ 2).
 { eapply Rle_trans; [exact Mc|]. apply Rle_trans with ((4 + M ^ 2) * delta ^ 2 * G).
   - apply Rmult_le_compat; auto.
-    + assert (0 <= eta) by apply pow2_ge_0. generalize (pow2_ge_0 (b t0 - B t0)) (pow2_ge_0 (y t0 - Y t0)) (pow2_ge_0 (v t0 - V t0)) (pow2_ge_0 (z t0 - Z t0)). lra.
+    + assert (0 <= eta) by apply pow2_ge_0.
+      generalize (pow2_ge_0 (b t0 - B t0)) (pow2_ge_0 (y t0 - Y t0)) (pow2_ge_0 (v t0 - V t0))
+        (pow2_ge_0 (z t0 - Z t0)). lra.
     + apply Rlt_le, exp_pos.
     + apply exp_le. apply Rmult_le_compat_l; lra.
   - replace ((4 + M ^ 2) * delta ^ 2 * G) with (r ^ 2 * / A).
     2: { replace ((4 + M ^ 2) * delta ^ 2 * G) with (A * delta ^ 2) by (unfold A; ring). unfold delta. field. lra. }
     rewrite <- (Rmult_1_r (r ^ 2)) at 2. apply Rmult_le_compat_l; [apply pow2_ge_0|lra]. }
 assert (0 <= eta) by apply pow2_ge_0.
-assert (N1 := pow2_ge_0 (b t - B t)). assert (N2 := pow2_ge_0 (y t - Y t)). assert (N3 := pow2_ge_0 (v t - V t)). assert (N4 := pow2_ge_0 (z t - Z t)).
+assert (N1 := pow2_ge_0 (b t - B t)). assert (N2 := pow2_ge_0 (y t - Y t)). assert (N3 := pow2_ge_0 (v t - V t)).
+assert (N4 := pow2_ge_0 (z t - Z t)).
 refine (conj _ (conj _ (conj _ (conj _ _)))); try (apply sq_le_abs; lra).
 rewrite (Ep t) by lra. lra.
 Qed.
@@ -213,7 +235,8 @@ Theorem stable : exists delta, 0 < delta /\ forall p b y v z,
 Proof.
 destruct Hcone as (T1 & HT1).
 set (te := Rmax (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)).
-assert (M1 := Rmax_l (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)). assert (M2 := Rmax_r (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)).
+assert (M1 := Rmax_l (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)).
+assert (M2 := Rmax_r (Rmax t0 T1) ((6 - 2 * a3 * eps + 1) / - a1)).
 assert (M3 := Rmax_l t0 T1). assert (M4 := Rmax_r t0 T1). fold te in M1, M2.
 assert (HCt := HT1 te ltac:(lra)).
 assert (HPt : P te <= - (6 - 2 * a3 * eps + 1)).
@@ -224,7 +247,8 @@ destruct (late_cone_open a1 a2 a3 eps _ _ _ _ _ Ha13 He HCt) as (r1 & Hr1 & Hope
 destruct (continuous_bounds (fun t => Z t - Y t) t0 te ltac:(lra)) as (m & M & Hm & HM & HB).
 { intros t Ht. destruct (reference_model t (proj1 Ht)) as (_ & _ & Dy & _ & Dz).
   assert (Xz : ex_derive Z t).
-  { exists (/ eps * (- Z t - eps ^ 2 * contact_force eps (Y t) (Z t))). apply (is_derive_ext (fun s => / eps * (eps * Z s))).
+  { exists (/ eps * (- Z t - eps ^ 2 * contact_force eps (Y t) (Z t))).
+    apply (is_derive_ext (fun s => / eps * (eps * Z s))).
     { intros s. match goal with |- ?x = ?y => change (@eq R x y) end. field; lra. }
     apply (is_derive_scal (fun s => eps * Z s)), Dz. }
   assert (Xy : ex_derive Y t) by (eexists; exact Dy). auto_derive. auto. }
@@ -240,8 +264,10 @@ assert (Early : forall t, t0 <= t <= te -> y t < z t).
 destruct (Hnear te ltac:(lra)) as (Np & Nb & Ny & Nv & Nz).
 assert (Hpe : p te <= - (6 - 2 * a3 * eps)) by (apply Rabs_le_between in Np; lra).
 assert (Hm' : forall t, te <= t -> model_at a1 a2 a3 eps contact_force p b y v z t) by (intros t Ht; apply H; lra).
-destruct (late_IWC a1 a2 a3 eps te p b y v z Ha1 Ha3 Ha13 He Hm' Hpe (Early te ltac:(lra)) ltac:(apply Hopen; lra)) as (Late & _ & Hinf & Hy).
-refine (conj _ (conj Hinf Hy)). intros t Ht. destruct (Rle_lt_dec t te) as [Hl|Hl]; [apply Early; lra|]. apply (Late t). lra.
+destruct (late_IWC a1 a2 a3 eps te p b y v z Ha1 Ha3 Ha13 He Hm' Hpe (Early te ltac:(lra)) ltac:(apply Hopen; lra))
+  as (Late & _ & Hinf & Hy).
+refine (conj _ (conj Hinf Hy)). intros t Ht. destruct (Rle_lt_dec t te) as [Hl|Hl]; [apply Early; lra|]. apply (Late t).
+lra.
 Qed.
 
 End Stable.
@@ -258,7 +284,8 @@ Theorem stable_slow a1 a2 a3 eps C t0 P B Y V Z : parameters a1 a3 eps -> 0 < C 
 Proof.
 intros Hpar HC HS Hc. assert (Ha1 := par1 a1 a3 eps Hpar). assert (He := par_eps a1 a3 eps Hpar).
 destruct (slow_comes_into_cone a1 a2 a3 eps C P B Y V Z Hpar HC HS) as (T & HT). destruct HS as (HP & Hm & _).
-apply (stable a1 a2 a3 eps t0 P B Y V Z Ha1 (par3 a1 a3 eps Hpar) (a13 a1 a3 Ha1 (par_beta a1 a3 eps Hpar)) He (fun t _ => HP t)); auto.
+apply (stable a1 a2 a3 eps t0 P B Y V Z Ha1 (par3 a1 a3 eps Hpar) (a13 a1 a3 Ha1 (par_beta a1 a3 eps Hpar)) He
+  (fun t _ => HP t)); auto.
 - intros t Ht. assert (E : contact_force eps (Y t) (Z t) = linear_force eps (Y t) (Z t)).
   { apply contact_force_in_contact; auto. apply Rlt_le, linear_force_pos; auto. }
   specialize (Hm t). unfold model_at in *. rewrite E. exact Hm.

@@ -1,14 +1,15 @@
 (** * The compliant model: an explicit bound for eps
 
-    0 < beta < 5. By [CompliantMonotone.v] with n = 1 the contact force of a slow motion is above the force at leading order, at every time and
-    every eps, on the side C_1 Gamma(-beta) > 0, and below it on the other. So for 1 < beta and C_1 Gamma(-beta) > 0 a lower bound -m of
-    C_1 dTheta/dtau gives an eps_0 up to which contact is never lost; such a bound exists on every half-line [tau_0, oo),
-    since C_1 dTheta/dtau tends to +oo, and for C_1 < 0 on R. A motion of the mechanism that starts on a slow motion with a positive force
-    stays on it (uniqueness forwards in time). *)
+    0 < beta < 5. By [CompliantMonotone.v] with n = 1 the contact force of a slow motion is above the force at leading
+    order, at every time and every eps, on the side C_1 Gamma(-beta) > 0, and below it on the other. So for 1 < beta and
+    C_1 Gamma(-beta) > 0 a lower bound -m of C_1 dTheta/dtau gives an eps_0 up to which contact is never lost; such a
+    bound exists on every half-line [tau_0, oo), since C_1 dTheta/dtau tends to +oo, and for C_1 < 0 on R. A motion of
+    the mechanism that starts on a slow motion with a positive force stays on it (uniqueness forwards in time). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral WellPosed Family Ends CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral WellPosed Family Ends
+  CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantDependence CompliantForward CompliantSlowMotion CompliantMonotone.
 Open Scope R_scope.
 
@@ -90,7 +91,8 @@ rewrite Em. replace (/ (- a3) * (/ K * E) * m) with (/ (- a3) * / K * m * E) by 
 replace (/ (- a3) * (/ K * A) * m) with (/ (- a3) * / K * m * A) by ring.
 split; intros H.
 - apply Rmult_le_compat_l; [lra|]. rewrite <- EA. apply Rle_Rpower_l; [lra|split; auto].
-- apply Rmult_lt_compat_l; [lra|]. rewrite <- EA. apply exp_increasing, Rmult_lt_compat_l; auto. apply ln_increasing; auto.
+- apply Rmult_lt_compat_l; [lra|]. rewrite <- EA. apply exp_increasing, Rmult_lt_compat_l; auto.
+  apply ln_increasing; auto.
 Qed.
 
 Section Force.
@@ -121,7 +123,8 @@ change (Derive_n (Fe (- a1 * eps) (a3 / a1)) 1 (t / eps)) with (Derive (Fe (- a1
 set (F := Derive (Fe (- a1 * eps) (a3 / a1)) (t / eps)) in *. set (D := Derive theta tau) in *.
 assert (E := eta_of_factor a1 eps He C1 a3 (a3 / a1) ltac:(lra)). fold eta in E.
 replace (a2 / (a3 - a1) + C1 * Rpower eps (a3 / a1) / (- a3 * eps) * F -
-   (a2 / (a3 - a1) - C1 / a3 * Rpower (Rpower (- a1 / 2) (1 / 3)) (1 - a3 / a1) * Rpower eps ((2 * (a3 / a1) - 2) / 3) * D))
+   (a2 / (a3 - a1) - C1 / a3 * Rpower (Rpower (- a1 / 2) (1 / 3)) (1 - a3 / a1) * Rpower eps ((2 * (a3 / a1) - 2) / 3)
+     * D))
   with (C1 * Rpower eps (a3 / a1) / (- a3 * eps) * F -
    - (C1 / a3 * Rpower (Rpower (- a1 / 2) (1 / 3)) (1 - a3 / a1) * Rpower eps ((2 * (a3 / a1) - 2) / 3)) * D) by ring.
 rewrite <- E.
@@ -165,7 +168,8 @@ assert (Hmod : forall t, t0 <= t -> model_at a1 a2 a3 eps contact_force P B Y V 
   specialize (Hm0 t). unfold model_at in *. rewrite E. exact Hm0. }
 assert (E : forall t, t0 <= t -> y t = Y t /\ z t = Z t).
 { intros t Ht.
-  destruct (forward_unique a1 a2 a3 eps He p b y v z P B Y V Z t0 t (fun s Hs => H s (proj1 Hs)) (fun s Hs => Hmod s (proj1 Hs))
+  destruct (forward_unique a1 a2 a3 eps He p b y v z P B Y V Z t0 t (fun s Hs => H s (proj1 Hs)) (fun s Hs =>
+    Hmod s (proj1 Hs))
     Ip Ib Iy Iv Iz t ltac:(lra)) as (_ & _ & E1 & _ & E2). auto. }
 assert (Hcon : forall t, t0 <= t -> y t < z t).
 { intros t Ht. destruct (E t Ht) as (-> & ->). apply (linear_force_pos eps); [|apply force_positive, Ht]; exact He. }
@@ -224,7 +228,8 @@ End Force.
 
 (** ** The lower bound exists *)
 
-Lemma bounded_below_on (f : R -> R) x y : (forall t, ex_derive f t) -> exists m, 0 < m /\ forall t, x <= t <= y -> - m <= f t.
+Lemma bounded_below_on (f : R -> R) x y : (forall t, ex_derive f t) -> exists m, 0 < m /\ forall t, x <= t <= y ->
+  - m <= f t.
 Proof.
 intros D. destruct (Rle_lt_dec x y) as [H|H].
 - destruct (continuity_ab_min f x y H) as (c & Hc & _).
@@ -246,7 +251,8 @@ assert (D : forall t, ex_derive (fun t => C1 * Derive theta t) t).
 destruct (scaled_right b theta Hn HT 1 0) as (T & HR).
 assert (HR' : forall t, T <= t -> 0 <= C1 * Derive theta t).
 { intros t Ht. specialize (HR t Ht). unfold scaled in HR. change (Derive_n theta 1 t) with (Derive theta t) in HR.
-  replace (C1 * Derive theta t) with (C1 * Gamma (- b) * (Gamma (- b) * Derive theta t) * (/ Gamma (- b)) ^ 2) by (field; auto).
+  replace (C1 * Derive theta t) with (C1 * Gamma (- b) * (Gamma (- b) * Derive theta t) * (/ Gamma (- b)) ^ 2)
+    by (field; auto).
   apply Rmult_le_pos; [|apply pow2_ge_0]. apply Rmult_le_pos; lra. }
 split.
 - intros tau0. destruct (bounded_below_on _ tau0 T D) as (m & Hm & H). exists m. split; auto.
@@ -270,7 +276,8 @@ assert (L := Rmult_le_compat_l q _ _ (Rlt_le _ _ Hq) (Hl _ Ht)). lra.
 Qed.
 
 Theorem leading_side_rule a1 a2 a3 eps C1 theta : parameters a1 a3 eps -> is_Theta (a3 / a1) theta ->
-  (0 < C1 * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t -> M <= leading_force a1 a2 a3 eps C1 theta t) /\
+  (0 < C1 * Gamma (- (a3 / a1)) -> forall M, exists T, forall t, T <= t ->
+    M <= leading_force a1 a2 a3 eps C1 theta t) /\
   (C1 * Gamma (- (a3 / a1)) < 0 -> forall M, exists T, forall t, T <= t -> leading_force a1 a2 a3 eps C1 theta t <= M).
 Proof.
 intros (H1 & H3 & He & Hb) HT. set (b := a3 / a1) in *.
@@ -282,20 +289,25 @@ assert (Up : forall C, 0 < C * G -> forall M, exists T, forall t, T <= t -> M <=
   exists (T / (k * e)). intros t Ht.
   assert (Hke : 0 < k * e) by (apply Rmult_lt_0_compat; auto).
   assert (A : T <= k * t * e).
-  { apply (Rmult_le_compat_r (k * e)) in Ht; [|lra]. replace (T / (k * e) * (k * e)) with T in Ht by (field; split; lra). lra. }
-  specialize (H _ A). unfold scaled in H. change (Derive_n theta 1 (k * t * e)) with (Derive theta (k * t * e)) in H. fold G in H.
+  { apply (Rmult_le_compat_r (k * e)) in Ht; [|lra].
+    replace (T / (k * e) * (k * e)) with T in Ht by (field; split; lra). lra. }
+  specialize (H _ A). unfold scaled in H. change (Derive_n theta 1 (k * t * e)) with (Derive theta (k * t * e)) in H.
+  fold G in H.
   set (D := Derive theta (k * t * e)) in *.
   apply (Rmult_le_compat_l (C * G)) in H; [|lra].
   replace (C * G * (G ^ 2 * M / (C * G))) with (G ^ 2 * M) in H by (field; split; auto; intros ->; lra).
-  apply Rmult_le_reg_l with (G ^ 2). apply pow2_gt_0, Hg. replace (G ^ 2 * (C * D)) with (C * G * (G * D)) by ring. exact H. }
+  apply Rmult_le_reg_l with (G ^ 2). apply pow2_gt_0, Hg. replace (G ^ 2 * (C * D)) with (C * G * (G * D)) by ring.
+  exact H. }
 set (mean := a2 / (a3 - a1)).
 split; intros HC M.
 - destruct (leading_force_factor a1 a2 a3 eps C1 theta 0 H3) as (q & Hq & Eq & _).
   destruct (Up C1 HC ((M - mean) / q)) as (T & H). exists T. intros t Ht. specialize (H t Ht).
   destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q' & _ & Eq' & ->). rewrite <- Eq in Eq'. subst q'.
-  fold mean k e. apply (Rmult_le_compat_l q) in H; [|lra]. replace (q * ((M - mean) / q)) with (M - mean) in H by (field; lra). lra.
+  fold mean k e. apply (Rmult_le_compat_l q) in H; [|lra].
+  replace (q * ((M - mean) / q)) with (M - mean) in H by (field; lra). lra.
 - destruct (leading_force_factor a1 a2 a3 eps C1 theta 0 H3) as (q & Hq & Eq & _).
   destruct (Up (- C1) ltac:(lra) ((mean - M) / q)) as (T & H). exists T. intros t Ht. specialize (H t Ht).
   destruct (leading_force_factor a1 a2 a3 eps C1 theta t H3) as (q' & _ & Eq' & ->). rewrite <- Eq in Eq'. subst q'.
-  fold mean k e. apply (Rmult_le_compat_l q) in H; [|lra]. replace (q * ((mean - M) / q)) with (mean - M) in H by (field; lra). lra.
+  fold mean k e. apply (Rmult_le_compat_l q) in H; [|lra].
+  replace (q * ((mean - M) / q)) with (mean - M) in H by (field; lra). lra.
 Qed.

@@ -1,12 +1,14 @@
 (** * The compliant model: a touch-down that is late enough is the last event
 
-    The state at the end of a flight of the length u (in the time t/eps), with d = A u - 3 b, n = y (1 - e^(-u))/u, y = - z/eps^2 at lift-off:
-    lambda = 0, G = (2 A u + d)/3, W = (A u^2 + d u)/6 - n, and V = d u/6 + n > y at lift-off; so d > 0, y < d u/3, n < d/3 for u >= 2.
-    With a = 2/(u + 2), c = 1/4 it lies in the set of [entrance] (Theorem F5 of flight.md), for beta <= 1 in that of [below_one]. *)
+    The state at the end of a flight of the length u (in the time t/eps), with d = A u - 3 b, n = y (1 - e^(-u))/u, y =
+    - z/eps^2 at lift-off: lambda = 0, G = (2 A u + d)/3, W = (A u^2 + d u)/6 - n, and V = d u/6 + n > y at lift-off; so
+    d > 0, y < d u/3, n < d/3 for u >= 2. With a = 2/(u + 2), c = 1/4 it lies in the set of [entrance] (Theorem F5 of
+    flight.md), for beta <= 1 in that of [below_one]. *)
 
 From Coq Require Import Reals Psatz Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import StatementCompliant StatementFlight Calculus CompliantMotion CompliantFlight CompliantGrowth CompliantGrowthSet.
+From GSpot Require Import StatementCompliant StatementFlight Calculus CompliantMotion CompliantFlight CompliantGrowth
+  CompliantGrowthSet.
 Open Scope R_scope.
 
 (** The numbers at touch-down. *)
@@ -26,7 +28,8 @@ Let W : R := - V - b * u + A * u ^ 2 / 2.
 Lemma number_V : V = d * u / 6 + n.
 Proof.
 apply Rmult_eq_reg_r with u; [|lra]. unfold d, n.
-replace (((A * u - 3 * b) * u / 6 + y * (1 - X) / u) * u) with (A * u ^ 3 / 6 - b * u ^ 2 / 2 + y * (1 - X)) by (field; lra). lra.
+replace (((A * u - 3 * b) * u / 6 + y * (1 - X) / u) * u) with (A * u ^ 3 / 6 - b * u ^ 2 / 2 + y * (1 - X))
+  by (field; lra). lra.
 Qed.
 
 Lemma number_n : 0 <= n /\ n * 2 <= y /\ n * u <= y.
@@ -56,12 +59,14 @@ Lemma number_W : W = u * (A * u + d) / 6 - n.
 Proof. unfold W. rewrite number_V. unfold d. field. Qed.
 
 Lemma Au_pos : 0 < A * u /\ 0 <= A * u * (u - 2) /\ 0 <= d * (u - 2).
-Proof. generalize number_d; intros. repeat split; [apply Rmult_lt_0_compat|apply Rmult_le_pos; [apply Rmult_le_pos|]|apply Rmult_le_pos]; lra. Qed.
+Proof. generalize number_d; intros.
+repeat split; [apply Rmult_lt_0_compat|apply Rmult_le_pos; [apply Rmult_le_pos|]|apply Rmult_le_pos]; lra. Qed.
 
 Lemma numbers_two : 0 < G /\ 0 < W.
 Proof. rewrite number_G, number_W. generalize number_d Au_pos. lra. Qed.
 
-Lemma numbers_four : 4 <= u -> u * G / 4 <= W /\ 2 * W <= u * G /\ y * u * X <= G * u /\ y * X * 3 <= G * 3 /\ 2 * (A * u) <= 3 * G.
+Lemma numbers_four : 4 <= u -> u * G / 4 <= W /\ 2 * W <= u * G /\ y * u * X <= G * u /\ y * X * 3 <= G * 3 /\
+  2 * (A * u) <= 3 * G.
 Proof.
 intros H4. rewrite number_G, number_W. assert (D := number_d). assert (Hn := number_n).
 assert (0 <= d * (u - 4)) by (apply Rmult_le_pos; lra). assert (AU := Au_pos).
@@ -87,11 +92,13 @@ Hypothesis Hflight : flight_from_to y z t0 t1.
 Let u : R := (t1 - t0) / eps.
 Let X : R := exp (- u).
 
-Lemma touches : b t1 = flight_b a2 b t0 t1 /\ y t1 = flight_y a2 b y v t0 t1 /\ v t1 = flight_v a2 b v t0 t1 /\ z t1 = flight_z eps z t0 t1 /\
+Lemma touches : b t1 = flight_b a2 b t0 t1 /\ y t1 = flight_y a2 b y v t0 t1 /\ v t1 = flight_v a2 b v t0 t1 /\
+  z t1 = flight_z eps z t0 t1 /\
   v t1 + z t1 / eps < 0.
 Proof.
 destruct Hlift as (E0 & Hup). destruct Hflight as (H01 & Hfly & E1).
-destruct (flight_ends a1 a2 a3 eps Heps p b y v z t0 Hm E0 Hup Hz (or_introl Ha2)) as (t2 & d & H02 & Hd & Hfly2 & E2 & Hdown & Hafter & F).
+destruct (flight_ends a1 a2 a3 eps Heps p b y v z t0 Hm E0 Hup Hz (or_introl Ha2))
+  as (t2 & d & H02 & Hd & Hfly2 & E2 & Hdown & Hafter & F).
 assert (E : t2 = t1).
 { destruct (Rtotal_order t1 t2) as [H|[H|H]]; auto.
   - specialize (Hfly2 t1 ltac:(lra)). lra.
@@ -129,7 +136,8 @@ Proof.
 unfold CompliantGrowth.W. rewrite HV. destruct touches as (_ & _ & -> & _). unfold flight_v, A. rewrite TU. field. lra.
 Qed.
 
-Let ED : CompliantGrowth.D eps Y V Z t1 = CompliantGrowth.W eps V t1 + - (z t0) / eps ^ 2 * X /\ 0 < CompliantGrowth.D eps Y V Z t1.
+Let ED : CompliantGrowth.D eps Y V Z t1 = CompliantGrowth.W eps V t1 + - (z t0) / eps ^ 2 * X /\
+  0 < CompliantGrowth.D eps Y V Z t1.
 Proof.
 destruct Hflight as (_ & _ & E). destruct touches as (_ & _ & _ & Ez & Hdown).
 assert (E1 : CompliantGrowth.D eps Y V Z t1 = / eps * - (v t1 + z t1 / eps)).
@@ -161,7 +169,8 @@ destruct Hlift as (E0 & _). destruct Hflight as (_ & _ & E1). destruct touches a
 rewrite EX in Ez. unfold flight_y in Ey. rewrite E1, Ez, E0, TU in Ey.
 apply Rmult_eq_reg_r with (eps ^ 2); [|apply pow_nonzero; lra]. rewrite Rmult_0_l.
 replace ((v t0 / eps * u + b t0 * u ^ 2 / 2 - A a2 eps * u ^ 3 / 6 - - z t0 / eps ^ 2 * (1 - X)) * eps ^ 2)
-  with (z t0 + v t0 * (eps * u) + b t0 * (eps * u) ^ 2 / 2 + a2 * (eps * u) ^ 3 / 6 - z t0 * X) by (unfold A; field; lra). lra.
+  with (z t0 + v t0 * (eps * u) + b t0 * (eps * u) ^ 2 / 2 + a2 * (eps * u) ^ 3 / 6 - z t0 * X)
+    by (unfold A; field; lra). lra.
 Qed.
 
 Lemma late_below_one : a1 <= a3 -> 2 <= u -> p t1 <= 0 -> grows_from eps Y V Z t1.
@@ -176,10 +185,13 @@ Lemma late_above_one : a3 < a1 -> 4 <= u ->
   eps * (a1 - a3) * (u + 2) / 2 + 4 / (u + 2) + 4 / (u + 2) ^ 2 + 24 / (u * (u + 4)) <= 4 -> grows_from eps Y V Z t1.
 Proof.
 intros H13 Hu Hp Hq. destruct Start as (HA & Hy). destruct (HX ltac:(lra)) as (X0 & X1). destruct ED as (ED1 & ED2).
-destruct (numbers_two (A a2 eps) (b t0) (v t0 / eps) (- z t0 / eps ^ 2) u X HA ltac:(lra) Hy (conj X0 X1) End) as (HG & HW).
-destruct (numbers_four (A a2 eps) (b t0) (v t0 / eps) (- z t0 / eps ^ 2) u X HA ltac:(lra) Hy (conj X0 X1) End Hu) as (N1 & N2 & _ & N3 & N4).
+destruct (numbers_two (A a2 eps) (b t0) (v t0 / eps) (- z t0 / eps ^ 2) u X HA ltac:(lra) Hy (conj X0 X1) End)
+  as (HG & HW).
+destruct (numbers_four (A a2 eps) (b t0) (v t0 / eps) (- z t0 / eps ^ 2) u X HA ltac:(lra) Hy (conj X0 X1) End Hu)
+  as (N1 & N2 & _ & N3 & N4).
 rewrite <- EG in *. rewrite <- EW in *.
-set (G := CompliantGrowth.G eps P B Y Z t1) in *. set (W := CompliantGrowth.W eps V t1) in *. set (D := CompliantGrowth.D eps Y V Z t1) in *.
+set (G := CompliantGrowth.G eps P B Y Z t1) in *. set (W := CompliantGrowth.W eps V t1) in *.
+set (D := CompliantGrowth.D eps Y V Z t1) in *.
 set (yX := - z t0 / eps ^ 2 * X) in *.
 assert (HyX : 0 <= yX) by (apply Rmult_le_pos; lra).
 assert (ES : CompliantGrowth.S eps P B Y V Z t1 = W + G) by reflexivity.
@@ -191,18 +203,22 @@ set (kap := eps * (a1 - a3)) in *.
 assert (Hkap : 0 < kap) by (apply Rmult_lt_0_compat; lra).
 assert (Eka : kap / a = kap * (u + 2) / 2) by (unfold a; field; lra).
 assert (uG : 0 <= (u - 4) * G) by (apply Rmult_le_pos; lra).
-apply (entrance a1 a2 a3 eps Heps P B Y V Z Hlin Ha1 ltac:(lra) ltac:(unfold kappa; fold kap; lra) a Ha t1 (1 / 4) Ha' ltac:(lra)).
+apply (entrance a1 a2 a3 eps Heps P B Y V Z Hlin Ha1 ltac:(lra) ltac:(unfold kappa; fold kap; lra) a Ha t1 (1 / 4)
+  Ha' ltac:(lra)).
 - rewrite ES, L1. fold W G D. rewrite ED1 in *.
-  assert (aW : 0 <= (1 - a) * W) by (apply Rmult_le_pos; lra). assert (ay : 0 <= (1 - a) * yX) by (apply Rmult_le_pos; lra).
+  assert (aW : 0 <= (1 - a) * W) by (apply Rmult_le_pos; lra).
+  assert (ay : 0 <= (1 - a) * yX) by (apply Rmult_le_pos; lra).
   assert (aS : a * (W + G) <= G).
-  { apply Rmult_le_reg_r with (u + 2). lra. replace (a * (W + G) * (u + 2)) with (a * (u + 2) * (W + G)) by ring. rewrite Ha1'. lra. }
+  { apply Rmult_le_reg_r with (u + 2). lra. replace (a * (W + G) * (u + 2)) with (a * (u + 2) * (W + G)) by ring.
+    rewrite Ha1'. lra. }
   repeat split; lra.
 - unfold kappa, q. fold kap. rewrite HP, Eka.
   apply Rle_trans with ((1 - a) * (1 / 4) * (16 / (u * (u + 2)))).
   + right. unfold a. field. lra.
   + apply Rmult_le_compat_l. lra. lra.
 - rewrite ES. fold W G. unfold enough, kappa. fold kap. rewrite Eka.
-  replace (2 * a) with (4 / (u + 2)) by (unfold a; field; lra). replace (a ^ 2) with (4 / (u + 2) ^ 2) by (unfold a; field; lra).
+  replace (2 * a) with (4 / (u + 2)) by (unfold a; field; lra).
+  replace (a ^ 2) with (4 / (u + 2) ^ 2) by (unfold a; field; lra).
   set (q1 := kap * (u + 2) / 2 + 4 / (u + 2) + 4 / (u + 2) ^ 2) in *.
   assert (S0 : A a2 eps * u * (u + 4) / 6 <= W + G).
   { assert (0 <= (u + 4) * (3 * G - 2 * (A a2 eps * u))) by (apply Rmult_le_pos; lra). lra. }

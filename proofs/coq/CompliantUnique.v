@@ -1,11 +1,13 @@
 (** * The compliant model: the slow solution is unique
 
-    A solution of the deviation equation that grows less than e^(|T|/16) as T -> -oo is a multiple of F_beta; if f(-x)/x^beta -> 1 it is
-    F_beta. (For Theta this leading behaviour does not determine the solution when beta > -1/2; here it does.) *)
+    A solution of the deviation equation that grows less than e^(|T|/16) as T -> -oo is a multiple of F_beta; if
+    f(-x)/x^beta -> 1 it is F_beta. (For Theta this leading behaviour does not determine the solution when beta > -1/2;
+    here it does.) *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral
   CompliantSlow CompliantCone.
 Open Scope R_scope.
 
@@ -119,7 +121,8 @@ Theorem slow_unique_chain tm w0 w1 w2 w3 : T_chain e beta tm w0 w1 w2 w3 ->
   exists C, forall t : R, Rbar_lt t tm -> w0 t = C * Fe e beta t.
 Proof.
 intros HT S0 S1 S2 S3.
-assert (HX : (exists T : R, T <= (cone_time e beta) /\ forall t, t <= T -> Rbar_lt t tm) \/ forall t : R, ~ Rbar_lt t tm).
+assert (HX : (exists T : R, T <= (cone_time e beta) /\ forall t, t <= T -> Rbar_lt t tm) \/ forall t : R,
+  ~ Rbar_lt t tm).
 { destruct tm as [r| |].
   - left. exists (Rmin (cone_time e beta) (r - 1)). split. apply Rmin_l.
     intros t Ht. simpl. generalize (Rmin_r (cone_time e beta) (r - 1)). lra.
@@ -169,7 +172,8 @@ Theorem slow_unique0 f : deviation_equation e beta f ->
   exists C, forall t, f t = C * Fe e beta t.
 Proof.
 intros Hf HG.
-destruct (slow_unique_chain0 p_infty f (Derive f) (Derive_n f 2) (Derive_n f 3) (dev_ode_chain p_infty f Hf) HG) as (C & HC).
+destruct (slow_unique_chain0 p_infty f (Derive f) (Derive_n f 2) (Derive_n f 3) (dev_ode_chain p_infty f Hf) HG)
+  as (C & HC).
 exists C. intros t. apply HC. exact I.
 Qed.
 

@@ -1,11 +1,13 @@
 (** * The compliant model: how often the force vanishes
 
-    F_b has at most n real zeros if b < n, by Rolle's theorem and the sign of F_b^(n); the force of a slow motion at most n + 1 if
-    beta < n + 2. If the force and its first n derivatives are >= 0 at one time, contact is kept from then on. *)
+    F_b has at most n real zeros if b < n, by Rolle's theorem and the sign of F_b^(n); the force of a slow motion at
+    most n + 1 if beta < n + 2. If the force and its first n derivatives are >= 0 at one time, contact is kept from then
+    on. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel CompliantIntegral
+From GSpot Require Import Statement StatementCompliant Calculus GammaFunction LaplaceIntegral Family CompliantKernel
+  CompliantIntegral
   CompliantSlow CompliantMechanism.
 Import ListNotations.
 Open Scope R_scope.
@@ -36,7 +38,8 @@ assert (HS := Fe_sign (- a1 * eps) (He' a1 eps Ha1 Heps) (a3 / a1) (S (S n)) Hbe
 set (G := Gamma (- (a3 / a1))) in *. set (F := Derive_n (Fe (- a1 * eps) (a3 / a1)) (S (S n)) (t / eps)) in *.
 assert (He : 0 < eps ^ S (S n)) by (apply pow_lt, Heps).
 set (E := eps ^ S (S n)) in *.
-replace (- / a3 * (C * F / E)) with (/ - a3 * / E * ((C * G) * (G * F) * (/ G) ^ 2)) by (field; repeat split; auto; lra).
+replace (- / a3 * (C * F / E)) with (/ - a3 * / E * ((C * G) * (G * F) * (/ G) ^ 2))
+  by (field; repeat split; auto; lra).
 apply Rmult_lt_0_compat. apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; lra.
 apply Rmult_lt_0_compat. apply Rmult_lt_0_compat; auto. apply pow2_gt_0, Rinv_neq_0_compat, Hg.
 Qed.
@@ -84,7 +87,8 @@ intros D l. induction l as [|c l IH]; intros a HS H0.
 Qed.
 
 Lemma rolle_count n : forall (g : nat -> R -> R), (forall k t, is_derive (g k) t (g (S k) t)) ->
-  (forall t, g n t <> 0) -> forall l, StronglySorted Rlt l -> (forall t, In t l -> g 0%nat t = 0) -> (length l <= n)%nat.
+  (forall t, g n t <> 0) -> forall l, StronglySorted Rlt l -> (forall t, In t l -> g 0%nat t = 0) ->
+    (length l <= n)%nat.
 Proof.
 induction n as [|n IH]; intros g D Hn l HS H0.
 - destruct l as [|a l]; auto. exfalso. apply (Hn a), H0. simpl; auto.

@@ -1,11 +1,12 @@
 (** * Continuity in b, and b -> n
 
-    Off the integers Theta is the sum of an entire family, which is continuous in b everywhere ([ThetaEntire.v]); at b = n that sum is P_n(t).
-    So Theta(t, b) -> P_n(t) as b -> n. *)
+    Off the integers Theta is the sum of an entire family, which is continuous in b everywhere ([ThetaEntire.v]); at b =
+    n that sum is P_n(t). So Theta(t, b) -> P_n(t) as b -> n. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus WellPosed Family IntegerPolynomials PolynomialSum EntireForm PowerSeriesNorm NormLimit GammaEntire ThetaEntire.
+From GSpot Require Import Statement Calculus WellPosed Family IntegerPolynomials PolynomialSum EntireForm
+  PowerSeriesNorm NormLimit GammaEntire ThetaEntire.
 Open Scope R_scope.
 
 (** next to every real number, that number excepted, there are no natural numbers *)
@@ -46,8 +47,10 @@ Proof. intros Hb. exact (entire_series b (Th b) (Th_entire b Hb) t). Qed.
 Lemma norm_continuous r M f : 0 < r -> norm_at_most r M f -> continuous f 0.
 Proof.
 intros Hr (a & Ha & Hf). apply (continuous_ext_loc _ (PSeries a)).
-- exists (mkposreal r Hr). intros y Hy. change (Rabs (y - 0) < r) in Hy. rewrite Rminus_0_r in Hy. apply is_pseries_unique, Hf, Hy.
-- apply (ex_derive_continuous (PSeries a)). eexists. apply is_derive_PSeries, (radius_at_least a r M Hr Ha). rewrite Rabs_R0. exact Hr.
+- exists (mkposreal r Hr). intros y Hy. change (Rabs (y - 0) < r) in Hy. rewrite Rminus_0_r in Hy.
+  apply is_pseries_unique, Hf, Hy.
+- apply (ex_derive_continuous (PSeries a)). eexists. apply is_derive_PSeries, (radius_at_least a r M Hr Ha).
+  rewrite Rabs_R0. exact Hr.
 Qed.
 
 Lemma entire_continuous f b : entire f -> continuous f b.
@@ -63,7 +66,8 @@ Lemma Th_lim (b t : R) : is_lim (fun b => Th b t) b (family_sum theta_coefficien
 Proof.
 apply (is_lim_ext_loc (fun b => family_sum theta_coefficient t b)).
 - eapply filter_imp; [|apply (near_not_nat b)]. intros y Hy. symmetry. apply Th_family, Hy.
-- apply (is_lim_continuity (family_sum theta_coefficient t)), continuity_pt_filterlim, entire_continuous, sum_in_beta_entire.
+- apply (is_lim_continuity (family_sum theta_coefficient t)), continuity_pt_filterlim, entire_continuous,
+    sum_in_beta_entire.
 Qed.
 
 Theorem Th_lim_not_nat (b t : R) : not_nat b -> is_lim (fun b => Th b t) b (Th b t).

@@ -1,6 +1,7 @@
 (** * The number of real zeros of dTheta/dtau
 
-    The two sides together: the theorem of proofs/proofs/count_law.md with signs, and the interlacing of its section 5. *)
+    The two sides together: the theorem of proofs/proofs/count_law.md with signs, and the interlacing of its section
+    5. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -18,7 +19,8 @@ Proof. rewrite sg_mod. unfold negative_count. destruct (Nat.eqb (m mod 3) 2); au
 Lemma negative_positive_count m : (negative_count m + positive_count m = m mod 3 + m / 3)%nat.
 Proof.
 induction m as [| | |m IH] using nat_ind3; try reflexivity.
-unfold negative_count in *. rewrite mod3_SSS, div3_SSS. change (positive_count (S (S (S m)))) with (S (positive_count m)). lia.
+unfold negative_count in *. rewrite mod3_SSS, div3_SSS.
+change (positive_count (S (S (S m)))) with (S (positive_count m)). lia.
 Qed.
 
 (** The zeros of Theta(., b), b in (m - 1, m). *)

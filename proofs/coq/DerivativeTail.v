@@ -1,8 +1,9 @@
 (** * The tail of the series of a derivative
 
-    The rest of the lemma in section 4 of proofs/box.md. v_k = k!/(k-d)! |c_k| X^(k-d) are the terms of the d-th derivative of sum c_k t^k at |t| = X.
-    The recurrence gives v_(k+3) <= (k + B) X^3/((k-d+1)(k-d+2)(k-d+3)) v_k, and this factor decreases in k; so each triple of
-    terms is at most q times the one before, and the geometric series bounds the sum. *)
+    The rest of the lemma in section 4 of proofs/box.md. v_k = k!/(k-d)! |c_k| X^(k-d) are the terms of the d-th
+    derivative of sum c_k t^k at |t| = X. The recurrence gives v_(k+3) <= (k + B) X^3/((k-d+1)(k-d+2)(k-d+3)) v_k, and
+    this factor decreases in k; so each triple of terms is at most q times the one before, and the geometric series
+    bounds the sum. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -12,11 +13,13 @@ Open Scope R_scope.
 Lemma sum_first_le (a a' : nat -> R) n : (forall k, a k <= a' k) -> sum_first a n <= sum_first a' n.
 Proof. intros H. induction n as [|n IH]; simpl. lra. assert (A := H n). lra. Qed.
 
-Lemma sum_first_shift3 (v : nat -> R) n : sum_first v (n + 3) = v 0%nat + v 1%nat + v 2%nat + sum_first (fun i => v (i + 3)%nat) n.
+Lemma sum_first_shift3 (v : nat -> R) n : sum_first v (n + 3) = v 0%nat + v 1%nat + v 2%nat + sum_first (fun i =>
+  v (i + 3)%nat) n.
 Proof.
 induction n as [|n IH].
 - simpl. ring.
-- change (sum_first v (S (n + 3)) = v 0%nat + v 1%nat + v 2%nat + (sum_first (fun i => v (i + 3)%nat) n + v (n + 3)%nat)).
+- change (sum_first v (S (n + 3)) = v 0%nat + v 1%nat + v 2%nat + (sum_first (fun i => v (i + 3)%nat) n
+    + v (n + 3)%nat)).
   simpl (sum_first v (S (n + 3))). rewrite IH. ring.
 Qed.
 
@@ -29,7 +32,8 @@ intros H. replace (n + 3)%nat with (S (S (S n))) by lia. simpl.
 assert (A := H n). assert (B := H (S n)). assert (C := H (S (S n))). lra.
 Qed.
 
-Lemma geometric_by_three q (v : nat -> R) n : 0 <= q < 1 -> (forall k, 0 <= v k) -> (forall k, v (k + 3)%nat <= q * v k) ->
+Lemma geometric_by_three q (v : nat -> R) n : 0 <= q < 1 -> (forall k, 0 <= v k) ->
+  (forall k, v (k + 3)%nat <= q * v k) ->
   sum_first v n <= (v 0%nat + v 1%nat + v 2%nat) / (1 - q).
 Proof.
 intros Hq Hv H. set (T := v 0%nat + v 1%nat + v 2%nat).
@@ -86,10 +90,12 @@ assert (R : Rabs (c (S (S (S k)))) = Rabs (INR k - b) * Rabs (c k) / ((INR k + 1
 { assert (D : 0 < (INR k + 1) * (INR k + 2) * (INR k + 3)) by (repeat apply Rmult_lt_0_compat; lra).
   assert (H := Hc k). replace (k + 3)%nat with (S (S (S k))) in H by lia.
   apply Rmult_eq_reg_l with ((INR k + 1) * (INR k + 2) * (INR k + 3)); [|lra].
-  rewrite <- (Rabs_pos_eq ((INR k + 1) * (INR k + 2) * (INR k + 3))) at 1 by lra. rewrite <- Rabs_mult, H, Rabs_mult. field. lra. }
+  rewrite <- (Rabs_pos_eq ((INR k + 1) * (INR k + 2) * (INR k + 3))) at 1 by lra. rewrite <- Rabs_mult, H, Rabs_mult.
+  field. lra. }
 rewrite R.
 assert (F1 := INR_fact_lt_0 k). assert (F2 := INR_fact_lt_0 (k - d)).
-set (f := INR (fact k)) in *. set (g := INR (fact (k - d))) in *. set (a := Rabs (c k)). assert (Ha : 0 <= a) by apply Rabs_pos.
+set (f := INR (fact k)) in *. set (g := INR (fact (k - d))) in *. set (a := Rabs (c k)).
+assert (Ha : 0 <= a) by apply Rabs_pos.
 set (Y := X ^ (k - d)). assert (HY : 0 <= Y) by (apply pow_le, HX).
 assert (HXp : 0 <= X ^ 3) by (apply pow_le, HX).
 assert (Hn : Rabs (INR k - b) <= y + INR d + B).
@@ -115,7 +121,8 @@ assert (Hq0 : 0 <= q).
 { unfold q, tail_factor. assert (P := pos_INR (K - d)). assert (Hd := pos_INR d).
   apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow_le, HX]|].
   apply Rlt_le, Rinv_0_lt_compat. repeat apply Rmult_lt_0_compat; lra. }
-assert (G := geometric_by_three q (fun i => derivative_term (K + i)) N (conj Hq0 Hq) (fun k => derivative_term_pos (K + k))).
+assert (G := geometric_by_three q (fun i => derivative_term (K + i)) N (conj Hq0 Hq) (fun k =>
+  derivative_term_pos (K + k))).
 cbv beta in G. replace (K + 0)%nat with K in G by lia. apply G.
 intros k. replace (K + (k + 3))%nat with (K + k + 3)%nat by lia.
 eapply Rle_trans; [apply derivative_term_step; lia|].

@@ -1,19 +1,22 @@
 (** * The derivative in b
 
-    The sum of an entire family c_k(b) t^k has the derivative sum c_k'(b) t^k in b, the sum of an entire family again ([beta_derived_entire]): a power series
-    of norm M on the radius r has a derivative of norm at most M/r on r/2, and differs from its first two terms by at most M (|h|/r)^2. Such sums are
-    continuous in (t, b) ([family_joint]). Theta is one of them, and so are its derivatives. *)
+    The sum of an entire family c_k(b) t^k has the derivative sum c_k'(b) t^k in b, the sum of an entire family again
+    ([beta_derived_entire]): a power series of norm M on the radius r has a derivative of norm at most M/r on r/2, and
+    differs from its first two terms by at most M (|h|/r)^2. Such sums are continuous in (t, b) ([family_joint]). Theta
+    is one of them, and so are its derivatives. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus WellPosed Family ContinuityInBeta EntireForm PowerSeriesNorm NormLimit GammaEntire ThetaEntire.
+From GSpot Require Import Statement Calculus WellPosed Family ContinuityInBeta EntireForm PowerSeriesNorm NormLimit
+  GammaEntire ThetaEntire.
 Open Scope R_scope.
 
 (** ** Continuity in two variables *)
 
 Definition joint (f : R -> R -> R) (t b : R) : Prop := continuous (fun z : R * R => f (fst z) (snd z)) (t, b).
 
-Lemma joint_ext_loc (f g : R -> R -> R) (t b : R) : locally b (fun b : R => forall t : R, f t b = g t b) -> joint f t b -> joint g t b.
+Lemma joint_ext_loc (f g : R -> R -> R) (t b : R) : locally b (fun b : R => forall t : R, f t b = g t b) ->
+  joint f t b -> joint g t b.
 Proof.
 intros [d Hd] F. apply (continuous_ext_loc _ (fun z : R * R => f (fst z) (snd z))); [|exact F].
 exists d. intros [u v] [_ Hv]. apply Hd, Hv.
@@ -28,13 +31,15 @@ Lemma joint_of_lipschitz (f : R -> R -> R) (K : R -> R) (t b : R) : continuous (
 Proof.
 intros Cf CK HL. apply filterlim_locally. intros eps. assert (He := cond_pos eps).
 assert (He2 : 0 < eps / 2) by lra.
-apply filterlim_locally with (eps := mkposreal _ He2) in Cf. apply filterlim_locally with (eps := mkposreal 1 Rlt_0_1) in CK.
+apply filterlim_locally with (eps := mkposreal _ He2) in Cf.
+apply filterlim_locally with (eps := mkposreal 1 Rlt_0_1) in CK.
 destruct (filter_and _ _ HL (filter_and _ _ Cf CK)) as [d Hd].
 set (M := Rabs (K b) + 1). assert (HM : 0 < M) by (unfold M; generalize (Rabs_pos (K b)); lra).
 assert (Hm : 0 < Rmin 1 (Rmin d (eps / (2 * M)))).
 { repeat apply Rmin_pos; try lra. apply cond_pos. apply Rdiv_lt_0_compat; lra. }
 exists (mkposreal _ Hm). intros [u c] [Hu Hc]; simpl in *.
-change (Rabs (u - t) < Rmin 1 (Rmin d (eps / (2 * M)))) in Hu. change (Rabs (c - b) < Rmin 1 (Rmin d (eps / (2 * M)))) in Hc.
+change (Rabs (u - t) < Rmin 1 (Rmin d (eps / (2 * M)))) in Hu.
+change (Rabs (c - b) < Rmin 1 (Rmin d (eps / (2 * M)))) in Hc.
 change (Rabs (f u c - f t b) < eps).
 assert (A1 := Rmin_l 1 (Rmin d (eps / (2 * M)))). assert (A2 := Rmin_r 1 (Rmin d (eps / (2 * M)))).
 assert (A3 := Rmin_l d (eps / (2 * M))). assert (A4 := Rmin_r d (eps / (2 * M))).
@@ -55,7 +60,8 @@ Lemma sum_first_shift u N : sum_first (fun n => u (S n)) N = sum_first u (S N) -
 Proof. induction N as [|N IH]; simpl in *. ring. rewrite IH. ring. Qed.
 
 Lemma successor_power n : INR (S n) <= 2 ^ n.
-Proof. induction n as [|n IH]. simpl; lra. rewrite S_INR. simpl pow. assert (1 <= 2 ^ n) by (apply pow_R1_Rle; lra). lra. Qed.
+Proof. induction n as [|n IH]. simpl; lra. rewrite S_INR. simpl pow. assert (1 <= 2 ^ n) by (apply pow_R1_Rle; lra).
+lra. Qed.
 
 Lemma norm_derive r M f : 0 < r -> norm_at_most r M f -> norm_at_most (r / 2) (M / r) (Derive f).
 Proof.
@@ -63,7 +69,8 @@ intros Hr (a & Ha & Hf). exists (PS_derive a). split.
 - intros N. apply Rle_trans with (/ r * sum_first (fun n => Rabs (a (S n)) * r ^ S n) N).
   + rewrite <- sum_first_scal. apply sum_first_le. intros n. unfold PS_derive.
     rewrite Rabs_mult, Rabs_pos_eq by apply pos_INR. rewrite pow_quotient.
-    assert (P := successor_power n). assert (P2 : 0 < 2 ^ n) by (apply pow_lt; lra). assert (Pr : 0 < r ^ n) by (apply pow_lt, Hr).
+    assert (P := successor_power n). assert (P2 : 0 < 2 ^ n) by (apply pow_lt; lra).
+    assert (Pr : 0 < r ^ n) by (apply pow_lt, Hr).
     replace (/ r * (Rabs (a (S n)) * r ^ S n)) with (2 ^ n * (Rabs (a (S n)) * (r ^ n / 2 ^ n))) by (simpl; field; lra).
     rewrite Rmult_assoc. apply Rmult_le_compat_r; auto.
     apply Rmult_le_pos. apply Rabs_pos. apply Rlt_le, Rdiv_lt_0_compat; auto.
@@ -72,7 +79,8 @@ intros Hr (a & Ha & Hf). exists (PS_derive a). split.
     assert (P := Rabs_pos (a 0%nat)). specialize (Ha (S N)). simpl pow at 2. lra.
 - intros x Hx. assert (HR := radius_at_least a r M Hr Ha x ltac:(lra)).
   rewrite (Derive_ext_loc f (PSeries a)); [apply is_pseries_derive, HR|].
-  assert (Hp : 0 < r - Rabs x) by (generalize (Rabs_pos x); lra). exists (mkposreal _ Hp). intros y Hy. change (Rabs (y - x) < r - Rabs x) in Hy.
+  assert (Hp : 0 < r - Rabs x) by (generalize (Rabs_pos x); lra). exists (mkposreal _ Hp). intros y Hy.
+  change (Rabs (y - x) < r - Rabs x) in Hy.
   symmetry. apply is_pseries_unique, Hf. assert (T := Rabs_triang_inv y x). lra.
 Qed.
 
@@ -82,7 +90,8 @@ Proof.
 intros Hr Hf Hh. destruct (taylor_coefficients r M f Hr Hf) as [HM HS].
 assert (T := series_tail _ r M Hr HM h (f h) 2 ltac:(lra) (HS h Hh)).
 replace (f h - f 0 - h * Derive f 0) with (f h - sum_first (fun n => taylor f n * h ^ n) 2); auto.
-cbn [sum_first]. unfold taylor. change (Derive_n f 0 0) with (f 0). change (Derive_n f 1 0) with (Derive f 0). simpl INR. simpl pow. field.
+cbn [sum_first]. unfold taylor. change (Derive_n f 0 0) with (f 0). change (Derive_n f 1 0) with (Derive f 0).
+simpl INR. simpl pow. field.
 Qed.
 
 Lemma Derive_translate f x h : Derive (fun h => f (x + h)) h = Derive f (x + h).
@@ -97,21 +106,27 @@ Proof.
 intros H b r R Hr HR. destruct (H b (2 * r) R ltac:(lra) HR) as [M HM]. exists (M / (2 * r)). intros k.
 assert (P : 0 < R ^ k) by (apply pow_lt, HR).
 replace (M / (2 * r) / R ^ k) with (M / R ^ k / (2 * r)) by (field; lra). replace r with (2 * r / 2) at 1 by field.
-apply (norm_ext _ _ (Derive (fun h => c k (b + h)))); [intros h _; apply Derive_translate|]. apply norm_derive; auto. lra.
+apply (norm_ext _ _ (Derive (fun h => c k (b + h)))); [intros h _; apply Derive_translate|]. apply norm_derive; auto.
+lra.
 Qed.
 
-Theorem family_beta_derive c t b : entire_family c -> is_derive (fun b => family_sum c t b) b (family_sum (beta_derived c) t b).
+Theorem family_beta_derive c t b : entire_family c -> is_derive (fun b => family_sum c t b) b
+  (family_sum (beta_derived c) t b).
 Proof.
-intros H. set (R := 2 * (Rabs t + 1)). assert (At := Rabs_pos t). destruct (H b 2 R ltac:(lra) ltac:(unfold R; lra)) as [M HM].
+intros H. set (R := 2 * (Rabs t + 1)). assert (At := Rabs_pos t).
+destruct (H b 2 R ltac:(lra) ltac:(unfold R; lra)) as [M HM].
 apply (derive_of_quadratic _ b _ (M * 2)). intros h Hh.
 assert (L := is_lim_seq_minus' _ _ _ _ (is_lim_seq_minus' _ _ _ _
-  (proj1 (is_pseries_sum_first _ _ _) (family_correct c t (b + h) H)) (proj1 (is_pseries_sum_first _ _ _) (family_correct c t b H)))
-  (is_lim_seq_mult' _ _ _ _ (is_lim_seq_const h) (proj1 (is_pseries_sum_first _ _ _) (family_correct _ t b (beta_derived_entire c H))))).
+  (proj1 (is_pseries_sum_first _ _ _) (family_correct c t (b + h) H)) (proj1 (is_pseries_sum_first _ _ _)
+    (family_correct c t b H)))
+  (is_lim_seq_mult' _ _ _ _ (is_lim_seq_const h) (proj1 (is_pseries_sum_first _ _ _)
+    (family_correct _ t b (beta_derived_entire c H))))).
 apply is_lim_seq_abs in L.
 refine (is_lim_seq_le _ (fun _ => h ^ 2 * (M * 2)) _ _ _ L (is_lim_seq_const _)). intros N. cbv beta.
 set (d := fun k => (c k (b + h) - c k b - h * beta_derived c k b) * t ^ k).
 replace (_ - _) with (sum_first d N).
-2: { rewrite (sum_first_ext d (fun k => c k (b + h) * t ^ k + (-1 * (c k b * t ^ k) + - h * (beta_derived c k b * t ^ k)))).
+2: { rewrite (sum_first_ext d (fun k =>
+       c k (b + h) * t ^ k + (-1 * (c k b * t ^ k) + - h * (beta_derived c k b * t ^ k)))).
      - rewrite !sum_first_plus, !sum_first_scal. ring.
      - intros k. unfold d. ring. }
 eapply Rle_trans; [apply sum_first_abs|].
@@ -171,7 +186,8 @@ Definition Th_slope (t b : R) : R := Derive (fun b => Th b t) b.
 
 Lemma Th_derive_in_b b t : not_nat b -> is_derive (fun b => Th b t) b (family_sum (beta_derived theta_coefficient) t b).
 Proof.
-intros Hb. apply (is_derive_ext_loc (fun b => family_sum theta_coefficient t b)); [|apply family_beta_derive, theta_family_entire].
+intros Hb. apply (is_derive_ext_loc (fun b => family_sum theta_coefficient t b));
+  [|apply family_beta_derive, theta_family_entire].
 eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy. symmetry. apply Th_family, Hy.
 Qed.
 

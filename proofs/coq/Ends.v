@@ -1,9 +1,10 @@
 (** * The ends of the line, and half-lines
 
     The sign of Gamma on its cells. Every Gamma(-b) Theta^(n) tends to +oo as t -> +oo: for n > b it is positive and
-    increasing, and going down from n + 1 to n a slope that stays above a constant gives +oo. dTheta/dtau < 0 far to the left, from
-    Theta(., b - 1) ~ (-t)^(b-1). The tail lemma of proofs/tails.md: one change of sign in the derivatives at T gives exactly one zero
-    beyond T, down from the highest derivative, each having the pattern "negative, one zero, positive" or "positive". *)
+    increasing, and going down from n + 1 to n a slope that stays above a constant gives +oo. dTheta/dtau < 0 far to the
+    left, from Theta(., b - 1) ~ (-t)^(b-1). The tail lemma of proofs/tails.md: one change of sign in the derivatives at
+    T gives exactly one zero beyond T, down from the highest derivative, each having the pattern "negative, one zero,
+    positive" or "positive". *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -45,7 +46,8 @@ Lemma scaled_right_high n : b < INR n -> forall M, exists T, forall t, T <= t ->
 Proof.
 intros Hn M.
 assert (Hn1 : b < INR (S n)) by (rewrite S_INR; lra). assert (Hn2 : b < INR (S (S n))) by (rewrite !S_INR; lra).
-destruct (grow (scaled n) (scaled (S n)) (scaled (S n) 0) 0 (scaled_derive n) (scaled_pos (S n) 0 Hn1)) with (M := M) as (T & _ & H).
+destruct (grow (scaled n) (scaled (S n)) (scaled (S n) 0) 0 (scaled_derive n) (scaled_pos (S n) 0 Hn1)) with (M := M)
+  as (T & _ & H).
 - intros t Ht. destruct (Rle_lt_or_eq_dec 0 t Ht) as [H|<-]; [|lra].
   destruct (mvt_open _ _ 0 t H (fun s _ => scaled_derive (S n) s)) as (c & _ & E).
   assert (Hp := scaled_pos (S (S n)) c Hn2).
@@ -167,7 +169,8 @@ Qed.
 
 Theorem tail_with_one_zero (n j : nat) b theta T : INR n < b < INR n + 1 -> is_Theta b theta ->
   let s k := Gamma (- b) * Derive_n theta k T in
-  (1 <= j <= n + 1)%nat -> (forall k, (k < j)%nat -> s k <= 0) -> (forall k, (j <= k <= n)%nat -> 0 <= s k) -> s 0%nat <> 0 ->
+  (1 <= j <= n + 1)%nat -> (forall k, (k < j)%nat -> s k <= 0) -> (forall k, (j <= k <= n)%nat -> 0 <= s k) ->
+    s 0%nat <> 0 ->
   exists z, T < z /\ theta z = 0 /\ Derive theta z <> 0 /\
     (forall t, T <= t < z -> Gamma (- b) * theta t < 0) /\ (forall t, z < t -> 0 < Gamma (- b) * theta t).
 Proof.

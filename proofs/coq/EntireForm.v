@@ -1,12 +1,14 @@
 (** * The entire form of the initial values
 
-    1/Gamma without poles; Gauss's multiplication formula for it at every x; so t01-t03 are 2 pi 3^(2b/3 - 1/2 + j/3) times a product of two
-    values of 1/Gamma: E_j(b). E_0 solves the recurrence E_0(b) = (b - 1)(b - 2) E_0(b - 3), and E_1(b) = - b E_0(b - 1), E_2(b) = b (b - 1) E_0(b - 2): those of the
-    values at 0. At integers this gives the polynomials P_n, from E_0(0) = 1 (Gamma(1/3) Gamma(2/3)), E_0(1) = E_0(2) = 0. *)
+    1/Gamma without poles; Gauss's multiplication formula for it at every x; so t01-t03 are 2 pi 3^(2b/3 - 1/2 + j/3)
+    times a product of two values of 1/Gamma: E_j(b). E_0 solves the recurrence E_0(b) = (b - 1)(b - 2) E_0(b - 3), and
+    E_1(b) = - b E_0(b - 1), E_2(b) = b (b - 1) E_0(b - 2): those of the values at 0. At integers this gives the
+    polynomials P_n, from E_0(0) = 1 (Gamma(1/3) Gamma(2/3)), E_0(1) = E_0(2) = 0. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus GammaFunction LaplaceIntegral WellPosed Gronwall Family SignsAtZero IntegerPolynomials
+From GSpot Require Import Statement Calculus GammaFunction LaplaceIntegral WellPosed Gronwall Family SignsAtZero
+  IntegerPolynomials
   PolynomialSum GammaMultiplication.
 Open Scope R_scope.
 
@@ -21,7 +23,8 @@ destruct (Rle_lt_dec x 0) as [H|H].
 Qed.
 
 (** Down from x + n > 0. *)
-Lemma down_from (step : R) (P : R -> Prop) : 0 < step -> (forall x, 0 < x -> P x) -> (forall x, P (x + step) -> P x) -> forall x, P x.
+Lemma down_from (step : R) (P : R -> Prop) : 0 < step -> (forall x, 0 < x -> P x) -> (forall x, P (x + step) -> P x) ->
+  forall x, P x.
 Proof.
 intros Hs H0 H x.
 assert (D : forall n x, 0 < x + INR n * step -> P x).
@@ -60,12 +63,14 @@ Theorem reciprocal_gamma x : ((forall n : nat, x <> - INR n) -> recip_Gamma x = 
 Proof. split; [apply recip_off_poles|]. intros [n ->]. apply recip_at_pole. Qed.
 
 (** Gauss's formula for 1/Gamma, every x. *)
-Lemma Gauss_recip x : recip_Gamma (3 * x) = 2 * PI * Rpower 3 (1 / 2 - 3 * x) * (recip_Gamma x * recip_Gamma (x + 1 / 3) * recip_Gamma (x + 2 / 3)).
+Lemma Gauss_recip x : recip_Gamma (3 * x) = 2 * PI * Rpower 3 (1 / 2 - 3 * x) * (recip_Gamma x * recip_Gamma
+  (x + 1 / 3) * recip_Gamma (x + 2 / 3)).
 Proof.
 revert x. apply (down_from (1 / 3) (fun x => recip_Gamma (3 * x)
   = 2 * PI * Rpower 3 (1 / 2 - 3 * x) * (recip_Gamma x * recip_Gamma (x + 1 / 3) * recip_Gamma (x + 2 / 3)))); [lra| |].
 - intros x Hx. rewrite !recip_pos by lra. assert (G := Gauss3 x Hx).
-  assert (P1 := Gamma_pos x Hx). assert (P2 := Gamma_pos (x + 1 / 3) ltac:(lra)). assert (P3 := Gamma_pos (x + 2 / 3) ltac:(lra)).
+  assert (P1 := Gamma_pos x Hx). assert (P2 := Gamma_pos (x + 1 / 3) ltac:(lra)).
+  assert (P3 := Gamma_pos (x + 2 / 3) ltac:(lra)).
   assert (P4 := Gamma_pos (3 * x) ltac:(lra)).
   set (c := 2 * PI * Rpower 3 (1 / 2 - 3 * x)) in *.
   apply (Rmult_eq_reg_l (Gamma (3 * x) * (Gamma x * Gamma (x + 1 / 3) * Gamma (x + 2 / 3)))).
@@ -88,7 +93,8 @@ assert (N2 : forall n : nat, x + 1 / 3 <> - INR n).
 assert (N3 : forall n : nat, x + 2 / 3 <> - INR n).
 { intros n Hn. apply (Hx (3 * n + 2)%nat). rewrite plus_INR, mult_INR. simpl. lra. }
 rewrite !recip_off_poles in G by auto.
-assert (Z1 := Gamma_neq0 _ N1). assert (Z2 := Gamma_neq0 _ N2). assert (Z3 := Gamma_neq0 _ N3). assert (Z4 := Gamma_neq0 _ Hx).
+assert (Z1 := Gamma_neq0 _ N1). assert (Z2 := Gamma_neq0 _ N2). assert (Z3 := Gamma_neq0 _ N3).
+assert (Z4 := Gamma_neq0 _ Hx).
 set (c := 2 * PI * Rpower 3 (1 / 2 - 3 * x)) in *.
 replace (c * Gamma (3 * x)) with (/ (/ Gamma (3 * x)) * c) by (field; auto).
 assert (Hc : c <> 0).
@@ -98,9 +104,12 @@ Qed.
 
 (** ** The initial values *)
 
-Definition E0 (b : R) : R := 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2) * recip_Gamma ((1 - b) / 3) * recip_Gamma ((2 - b) / 3).
-Definition E1 (b : R) : R := 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 1 / 3) * recip_Gamma (- b / 3) * recip_Gamma ((2 - b) / 3).
-Definition E2 (b : R) : R := 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 2 / 3) * recip_Gamma (- b / 3) * recip_Gamma ((1 - b) / 3).
+Definition E0 (b : R) : R := 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2) * recip_Gamma ((1 - b) / 3) * recip_Gamma
+  ((2 - b) / 3).
+Definition E1 (b : R) : R := 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 1 / 3) * recip_Gamma (- b / 3) * recip_Gamma
+  ((2 - b) / 3).
+Definition E2 (b : R) : R := 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 2 / 3) * recip_Gamma (- b / 3) * recip_Gamma
+  ((1 - b) / 3).
 
 Lemma power_shift x y (n : nat) : x = y + INR n -> Rpower 3 x = 3 ^ n * Rpower 3 y.
 Proof. intros ->. rewrite Rpower_plus, (Rpower_pow n) by lra. ring. Qed.
@@ -122,7 +131,8 @@ Qed.
 Lemma E0_rec b : E0 b = (b - 1) * (b - 2) * E0 (b - 3).
 Proof.
 unfold E0. rewrite (recip_rec ((1 - b) / 3)), (recip_rec ((2 - b) / 3)).
-replace ((1 - b) / 3 + 1) with ((1 - (b - 3)) / 3) by field. replace ((2 - b) / 3 + 1) with ((2 - (b - 3)) / 3) by field.
+replace ((1 - b) / 3 + 1) with ((1 - (b - 3)) / 3) by field.
+replace ((2 - b) / 3 + 1) with ((2 - (b - 3)) / 3) by field.
 rewrite (power_shift (2 * b / 3 - 1 / 2) (2 * (b - 3) / 3 - 1 / 2) 2) by (simpl; field). field.
 Qed.
 
@@ -137,23 +147,27 @@ induction n as [| | |n IH] using nat_ind3.
   assert (S3 : 0 < sqrt 3) by (apply sqrt_lt_R0; lra). assert (P := PI_RGT_0).
   replace (2 * 0 / 3 - 1 / 2) with (- / 2) by field. rewrite Rpower_Ropp, Rpower_sqrt by lra.
   assert (G1 := Gamma_pos (1 / 3) ltac:(lra)). assert (G2 := Gamma_pos (2 / 3) ltac:(lra)).
-  replace (2 * PI * / sqrt 3 * / Gamma (1 / 3) * / Gamma (2 / 3)) with (2 * PI * / sqrt 3 * / (Gamma (1 / 3) * Gamma (2 / 3))) by (field; repeat split; lra).
+  replace (2 * PI * / sqrt 3 * / Gamma (1 / 3) * / Gamma (2 / 3))
+    with (2 * PI * / sqrt 3 * / (Gamma (1 / 3) * Gamma (2 / 3))) by (field; repeat split; lra).
   rewrite Gamma_thirds. simpl Pn. field. split; lra.
 - unfold E0. simpl INR. replace ((1 - 1) / 3) with 0 by field. rewrite recip_0. simpl. ring.
 - unfold E0. replace ((2 - INR 2) / 3) with 0 by (simpl; field). rewrite recip_0. simpl. ring.
-- rewrite E0_rec, Pn_rec. replace (INR (S (S (S n))) - 3) with (INR n) by (rewrite !S_INR; ring). rewrite IH, !S_INR. ring.
+- rewrite E0_rec, Pn_rec. replace (INR (S (S (S n))) - 3) with (INR n) by (rewrite !S_INR; ring). rewrite IH, !S_INR.
+  ring.
 Qed.
 
 Lemma E1_nat n : E1 (INR n) = Pn1 n 0.
 Proof.
 rewrite E1_E0. unfold Pn1. destruct n as [|n]. simpl. ring.
-replace (INR (S n) - 1) with (INR n) by (rewrite S_INR; ring). rewrite E0_nat. replace (S n - 1)%nat with n by lia. reflexivity.
+replace (INR (S n) - 1) with (INR n) by (rewrite S_INR; ring). rewrite E0_nat. replace (S n - 1)%nat with n by lia.
+reflexivity.
 Qed.
 
 Lemma E2_nat n : E2 (INR n) = Pn2 n 0.
 Proof.
 rewrite E2_E0. unfold Pn2. destruct n as [|[|n]]. simpl; ring. simpl; ring.
-replace (INR (S (S n)) - 2) with (INR n) by (rewrite !S_INR; ring). rewrite E0_nat. replace (S (S n) - 2)%nat with n by lia. reflexivity.
+replace (INR (S (S n)) - 2) with (INR n) by (rewrite !S_INR; ring). rewrite E0_nat.
+replace (S (S n) - 2)%nat with n by lia. reflexivity.
 Qed.
 
 (** t01-t03 off the integers. *)
@@ -175,13 +189,15 @@ assert (N3 : forall n : nat, (2 - b) / 3 <> - INR n).
 { intros n Hn. apply (Hb (3 * n + 2)%nat). rewrite plus_INR, mult_INR. simpl. lra. }
 rewrite !recip_off_poles in G by auto.
 unfold E0, E1, E2. rewrite !recip_off_poles by auto.
-assert (Z0 := Gamma_neq0 _ N0). assert (Z1 := Gamma_neq0 _ N1). assert (Z2 := Gamma_neq0 _ N2). assert (Z3 := Gamma_neq0 _ N3).
+assert (Z0 := Gamma_neq0 _ N0). assert (Z1 := Gamma_neq0 _ N1). assert (Z2 := Gamma_neq0 _ N2).
+assert (Z3 := Gamma_neq0 _ N3).
 assert (P := PI_RGT_0).
 replace (1 / 2 - - b) with (1 / 2 + b) in G by ring.
 set (T := Rpower 3 (2 * b / 3 - 1 / 2)). assert (HT : 0 < T) by apply exp_pos.
 set (U := Rpower 3 (1 / 3)). assert (HU : 0 < U) by apply exp_pos.
 set (V := Rpower 3 ((1 + b) / 3)). assert (HV : 0 < V) by apply exp_pos.
-assert (U3 : U * U * U = 3). { unfold U. rewrite <- !Rpower_plus. replace (1 / 3 + 1 / 3 + 1 / 3) with 1 by field. apply Rpower_1; lra. }
+assert (U3 : U * U * U = 3). { unfold U. rewrite <- !Rpower_plus. replace (1 / 3 + 1 / 3 + 1 / 3) with 1 by field.
+apply Rpower_1; lra. }
 assert (EG : Rpower 3 (1 / 2 + b) = T * U * U * V).
 { unfold T, U, V. rewrite <- !Rpower_plus. f_equal. field. }
 replace (Rpower 3 (2 * b / 3 - 1 / 2 + 1 / 3)) with (T * U) by (symmetry; apply Rpower_plus).
@@ -192,7 +208,8 @@ replace (Rpower 3 ((2 + b) / 3)) with (U * V).
 replace (Rpower 3 ((3 + b) / 3)) with (U * U * V).
 2: { unfold U, V. rewrite <- !Rpower_plus. f_equal. field. }
 rewrite EG in G.
-set (g0 := Gamma (- b)) in *. set (g1 := Gamma (- b / 3)) in *. set (g2 := Gamma ((1 - b) / 3)) in *. set (g3 := Gamma ((2 - b) / 3)) in *.
+set (g0 := Gamma (- b)) in *. set (g1 := Gamma (- b / 3)) in *. set (g2 := Gamma ((1 - b) / 3)) in *.
+set (g3 := Gamma ((2 - b) / 3)) in *.
 unfold Rdiv. rewrite !Rinv_mult, G.
 repeat split; field; repeat split; auto; lra.
 Qed.
@@ -207,7 +224,8 @@ intros (Hex & Hode & I0 & I1 & I2).
 assert (D : forall n t, (n < 3)%nat -> is_derive (Derive_n theta n) t (Derive_n theta (S n) t)).
 { intros n t Hn. apply (Derive_correct (Derive_n theta n)). exact (Hex (S n) t Hn). }
 refine (conj (fun t => D 0%nat t ltac:(lia)) (conj (fun t => D 1%nat t ltac:(lia)) (conj _ (conj I0 (conj I1 I2))))).
-intros t. replace (t * Derive theta t - b * theta t) with (Derive_n theta 3 t) by (generalize (Hode t); lra). apply D; lia.
+intros t. replace (t * Derive theta t - b * theta t) with (Derive_n theta 3 t) by (generalize (Hode t); lra).
+apply D; lia.
 Qed.
 
 Theorem entire_initial_values b theta :

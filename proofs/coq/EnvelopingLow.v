@@ -1,8 +1,9 @@
 (** * The enveloping series for every derivative, and for Theta itself
 
-    For n > b the rest after N terms lies between 0 and the next term ([EnvelopingSeries.v]). Let a = n - b be any number, a + 3N > 0. The rest for n
-    is O(x^-(a+3N)): by the recurrence it is (x rest(n + 1, N) - rest(n + 3, N - 1))/a, since the terms satisfy the same relation exactly.
-    Its derivative along t = -x is the rest for n + 1, and it tends to 0 as t -> -oo; so it is >= 0, and in the same way at most the next term. *)
+    For n > b the rest after N terms lies between 0 and the next term ([EnvelopingSeries.v]). Let a = n - b be any
+    number, a + 3N > 0. The rest for n is O(x^-(a+3N)): by the recurrence it is (x rest(n + 1, N) - rest(n + 3, N -
+    1))/a, since the terms satisfy the same relation exactly. Its derivative along t = -x is the rest for n + 1, and it
+    tends to 0 as t -> -oo; so it is >= 0, and in the same way at most the next term. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -20,7 +21,8 @@ Lemma denominator_neq0 j : 3 ^ j * INR (fact j) <> 0.
 Proof. apply Rmult_integral_contrapositive_currified. apply pow_nonzero; lra. apply INR_fact_neq_0. Qed.
 
 (** The terms satisfy the recurrence. *)
-Lemma left_term_step a j x : 0 < x -> a + 3 * INR j <> 0 -> x * left_term (a + 1) j x = (a + 3 * INR j) * left_term a j x.
+Lemma left_term_step a j x : 0 < x -> a + 3 * INR j <> 0 -> x * left_term (a + 1) j x
+  = (a + 3 * INR j) * left_term a j x.
 Proof.
 intros Hx Ha. unfold left_term. replace (a + 1 + 3 * INR j) with (a + 3 * INR j + 1) by ring. rewrite Gamma_rec by auto.
 rewrite (Rpower_split x (- (a + 3 * INR j)) 1 (- (a + 3 * INR j + 1))) by (auto; simpl; ring).
@@ -65,12 +67,14 @@ Proof.
 intros Ht Ha. unfold left_term. replace (a + 1 + 3 * INR j) with (a + 3 * INR j + 1) by ring. rewrite Gamma_rec by auto.
 set (q := a + 3 * INR j) in *. set (D := 3 ^ j * INR (fact j)). assert (HD : D <> 0) by apply denominator_neq0.
 unfold Rpower. auto_derive. lra.
-replace (- (q + 1) * ln (- t)) with (- q * ln (- t) + - ln (- t)) by ring. rewrite exp_plus, (exp_Ropp (ln (- t))), exp_ln by lra.
+replace (- (q + 1) * ln (- t)) with (- q * ln (- t) + - ln (- t)) by ring.
+rewrite exp_plus, (exp_Ropp (ln (- t))), exp_ln by lra.
 field. split; auto. lra.
 Qed.
 
 (** A chain on t < 0: nonnegative from some index on, tending to 0. *)
-Lemma nonnegative_from_left_half (f df : R -> R) q : (forall t, t < 0 -> is_derive f t (df t)) -> (forall t, t < 0 -> 0 <= df t) ->
+Lemma nonnegative_from_left_half (f df : R -> R) q : (forall t, t < 0 -> is_derive f t (df t)) ->
+  (forall t, t < 0 -> 0 <= df t) ->
   0 < q -> small q (fun x => f (- x)) -> forall t, t < 0 -> 0 <= f t.
 Proof.
 intros D Hp Hq Hs t Ht. apply Rnot_lt_le. intros Hlt.
@@ -110,12 +114,15 @@ Lemma remainder_high N k x : b < INR k -> 0 < x -> 0 <= left_remainder N k x <= 
 Proof.
 intros Hk Hx. assert (H := envelope (INR k - b - 1) _ ltac:(lra) (Theta_Laplace_n b theta k Hb HT) x N Hx).
 assert (E : forall j, envelope_term (INR k - b - 1) x j = left_term (INR k - b) j x).
-{ intros j. unfold envelope_term, left_term. replace (INR k - b - 1 + 1 + 3 * INR j) with (INR k - b + 3 * INR j) by ring. reflexivity. }
-rewrite E in H. rewrite (sum_first_ext _ (fun j => (-1) ^ j * left_term (INR k - b) j x)) in H by (intros; rewrite E; reflexivity).
+{ intros j. unfold envelope_term, left_term.
+  replace (INR k - b - 1 + 1 + 3 * INR j) with (INR k - b + 3 * INR j) by ring. reflexivity. }
+rewrite E in H. rewrite (sum_first_ext _ (fun j => (-1) ^ j * left_term (INR k - b) j x)) in H
+  by (intros; rewrite E; reflexivity).
 exact H.
 Qed.
 
-Lemma scaled_step k x : (INR k - b) * scaled b theta k (- x) = x * scaled b theta (S k) (- x) + scaled b theta (S (S (S k))) (- x).
+Lemma scaled_step k x : (INR k - b) * scaled b theta k (- x) = x * scaled b theta (S k) (- x) + scaled b theta
+  (S (S (S k))) (- x).
 Proof.
 destruct (scaled_family b theta Hb HT) as (_ & R & _). assert (H := R k (- x)). simpl in H.
 replace (k + 1)%nat with (S k) in H by lia. replace (k + 3)%nat with (S (S (S k))) in H by lia. lra.
@@ -135,11 +142,13 @@ replace ((INR k - b) * ((-1) ^ S N * (scaled b theta k (- x) - left_sum (INR k -
 rewrite A, B. simpl ((-1) ^ S N). ring.
 Qed.
 
-Lemma remainder_step_0 k x : left_remainder 0 k x = / (INR k - b) * (x * left_remainder 0 (S k) x + left_remainder 0 (S (S (S k))) x).
+Lemma remainder_step_0 k x : left_remainder 0 k x = / (INR k - b) * (x * left_remainder 0 (S k) x + left_remainder 0
+  (S (S (S k))) x).
 Proof.
 assert (A := scaled_step k x). assert (N0 := index_neq0 k 0). simpl in N0.
 unfold left_remainder, left_sum. simpl sum_first. simpl pow.
-match goal with |- _ = / ?a * ?y => apply (Rmult_eq_reg_l a); [replace (a * (/ a * y)) with y by (field; lra)|lra] end. lra.
+match goal with |- _ = / ?a * ?y => apply (Rmult_eq_reg_l a); [replace (a * (/ a * y)) with y by (field; lra)|lra] end.
+lra.
 Qed.
 
 Lemma remainder_small N k : small (INR k - b + 3 * INR N) (left_remainder N k).
@@ -153,11 +162,13 @@ assert (H : forall n N k, b < INR k + INR n -> small (INR k - b + 3 * INR N) (le
   - apply High. simpl in Hk. lra.
   - rewrite S_INR in Hk.
     assert (S1 : small (INR k' - b + 3 * INR N') (fun x => x ^ 1 * left_remainder N' (S k') x)).
-    { apply small_mult. replace (INR k' - b + 3 * INR N' + INR 1) with (INR (S k') - b + 3 * INR N') by (rewrite S_INR; simpl; ring).
+    { apply small_mult.
+      replace (INR k' - b + 3 * INR N' + INR 1) with (INR (S k') - b + 3 * INR N') by (rewrite S_INR; simpl; ring).
       apply IH. rewrite S_INR. lra. }
     destruct N' as [|N'].
     + assert (S3 : small (INR k' - b + 3 * INR 0) (left_remainder 0 (S (S (S k'))))).
-      { apply (small_weaken _ 3). replace (INR k' - b + 3 * INR 0 + INR 3) with (INR (S (S (S k'))) - b + 3 * INR 0) by (rewrite !S_INR; simpl; ring).
+      { apply (small_weaken _ 3). replace (INR k' - b + 3 * INR 0 + INR 3) with (INR (S (S (S k'))) - b + 3 * INR 0)
+          by (rewrite !S_INR; simpl; ring).
         apply IH. rewrite !S_INR. lra. }
       eapply small_ext; [|exact (small_scal _ (/ (INR k' - b)) _ (small_plus _ _ _ S1 S3))].
       intros x _. rewrite (remainder_step_0 k' x), pow_1. reflexivity.
@@ -175,7 +186,8 @@ Lemma left_sum_derive a N t : t < 0 -> (forall j : nat, a + 3 * INR j <> 0) ->
 Proof.
 intros Ht Ha. unfold left_sum. induction N as [|N IH].
 - simpl. apply (is_derive_const 0).
-- simpl. apply (is_derive_plus (fun t => sum_first (fun j => (-1) ^ j * left_term a j (- t)) N) (fun t => (-1) ^ N * left_term a N (- t))).
+- simpl. apply (is_derive_plus (fun t => sum_first (fun j => (-1) ^ j * left_term a j (- t)) N) (fun t =>
+    (-1) ^ N * left_term a N (- t))).
   exact IH. apply (is_derive_scal (fun t => left_term a N (- t))). apply left_term_derive; auto.
 Qed.
 
@@ -195,7 +207,8 @@ destruct (nfloor_ex (Rabs b) (Rabs_pos b)) as [n [_ Hn]]. exists (S n). intros k
 apply le_INR in Hk. rewrite S_INR in Hk. assert (A := Rle_abs b). lra.
 Qed.
 
-Theorem remainder_bounds N k x : 0 < INR k - b + 3 * INR N -> 0 < x -> 0 <= left_remainder N k x <= left_term (INR k - b) N x.
+Theorem remainder_bounds N k x : 0 < INR k - b + 3 * INR N -> 0 < x -> 0 <= left_remainder N k x <= left_term
+  (INR k - b) N x.
 Proof.
 intros Hk Hx. destruct high_index as [m Hm]. split.
 - assert (H := chain_half (- b + 3 * INR N) (fun k t => left_remainder N k (- t))).
@@ -211,8 +224,10 @@ intros Hk Hx. destruct high_index as [m Hm]. split.
     apply (is_derive_minus (fun t => left_term (INR j - b) N (- t)) (fun t => left_remainder N j (- t))).
     * apply left_term_derive; auto. apply index_neq0.
     * apply remainder_derive, Ht.
-  + intros j Hj. apply (small_ext _ (fun x => left_term (INR j - b) N x - left_remainder N j x)). { intros y _. rewrite Ropp_involutive. reflexivity. }
-    replace (- b + 3 * INR N + INR j) with (INR j - b + 3 * INR N) by ring. apply small_minus. apply left_term_small. apply remainder_small.
+  + intros j Hj. apply (small_ext _ (fun x => left_term (INR j - b) N x - left_remainder N j x)).
+    { intros y _. rewrite Ropp_involutive. reflexivity. }
+    replace (- b + 3 * INR N + INR j) with (INR j - b + 3 * INR N) by ring. apply small_minus. apply left_term_small.
+    apply remainder_small.
   + exists m. intros j t Hj Ht. assert (A := remainder_high N j (- t) (Hm j Hj) ltac:(lra)). lra.
 Qed.
 
@@ -277,16 +292,19 @@ Qed.
 Lemma minus_one_cube k : (-1) ^ (3 * k) = (-1) ^ k.
 Proof. rewrite pow_mult. f_equal. ring. Qed.
 
-(** n < b < n + 1, N = floor(n/3) + 1: Theta > 0 on (-oo, -x] if x^(3N) 3^N N! exceeds the product of the |b - i|, i < 3N. *)
+(** n < b < n + 1, N = floor(n/3) + 1: Theta > 0 on (-oo, -x] if x^(3N) 3^N N! exceeds the product of the |b - i|, i <
+    3N. *)
 Theorem left_end_explicit (n : nat) b theta x : INR n < b < INR n + 1 -> is_Theta b theta -> 0 < x ->
-  let N := S (n / 3) in Rabs (rising (- b) (3 * N)) < x ^ (3 * N) * 3 ^ N * INR (fact N) -> forall t, t <= - x -> 0 < theta t.
+  let N := S (n / 3) in Rabs (rising (- b) (3 * N)) < x ^ (3 * N) * 3 ^ N * INR (fact N) -> forall t, t <= - x ->
+    0 < theta t.
 Proof.
 intros Hbn HT Hx N HN t Ht.
 assert (Hb : not_nat b) by (apply (cell_not_nat (S n)); unfold cell; rewrite S_INR; lra).
 set (y := - t). assert (Hy : x <= y) by (unfold y; lra).
 assert (HD := Nat.div_mod n 3 ltac:(lia)). assert (HM := Nat.mod_upper_bound n 3 ltac:(lia)).
 assert (HN3 : b < INR 0 + 3 * INR N).
-{ assert (A : (n + 1 <= 3 * N)%nat) by (unfold N; lia). apply le_INR in A. rewrite plus_INR, mult_INR in A. simpl (INR 1) in A. simpl (INR 3) in A. change (INR 0) with 0. lra. }
+{ assert (A : (n + 1 <= 3 * N)%nat) by (unfold N; lia). apply le_INR in A. rewrite plus_INR, mult_INR in A.
+  simpl (INR 1) in A. simpl (INR 3) in A. change (INR 0) with 0. lra. }
 assert (E := enveloping_series_low b theta Hb HT 0 N y ltac:(lra) HN3).
 cbv zeta in E. simpl (rising (- b) 0) in E. rewrite Rmult_1_l in E.
 replace (INR 0 - b) with (- b) in E by (simpl; ring). replace (b - INR 0) with b in E by (simpl; ring).
@@ -294,9 +312,11 @@ change (Derive_n theta 0 (- y)) with (theta (- y)) in E. replace (- y) with t in
 set (term := fun k => rising (- b) (3 * k) / (3 ^ k * INR (fact k) * y ^ (3 * k))) in *.
 set (X := Rpower y b) in *. assert (HX : 0 < X) by apply exp_pos.
 assert (Hden : forall k, 0 < 3 ^ k * INR (fact k) * y ^ (3 * k)).
-{ intros k. apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]. apply pow_lt; lra. apply INR_fact_lt_0. apply pow_lt; lra. }
+{ intros k. apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]. apply pow_lt; lra. apply INR_fact_lt_0.
+  apply pow_lt; lra. }
 assert (Hpos : forall k, (k < N)%nat -> 0 < (-1) ^ k * term k).
-{ intros k Hk. unfold term. unfold Rdiv. rewrite <- Rmult_assoc. apply Rmult_lt_0_compat; [|apply Rinv_0_lt_compat, Hden].
+{ intros k Hk. unfold term. unfold Rdiv. rewrite <- Rmult_assoc.
+  apply Rmult_lt_0_compat; [|apply Rinv_0_lt_compat, Hden].
   rewrite <- minus_one_cube. apply rising_sign. intros i Hi.
   assert (A : (i + 1 <= n)%nat) by (unfold N in Hk; lia). apply le_INR in A. rewrite plus_INR in A. simpl in A. lra. }
 assert (Hsum : forall M, (1 <= M <= N)%nat -> 1 <= sum_first (fun k => (-1) ^ k * term k) M).
@@ -307,10 +327,12 @@ assert (Hsum : forall M, (1 <= M <= N)%nat -> 1 <= sum_first (fun k => (-1) ^ k 
 assert (S1 := Hsum N ltac:(unfold N; lia)). set (P := sum_first (fun k => (-1) ^ k * term k) N) in *.
 assert (HTm : Rabs (term N) < 1).
 { unfold term, Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq _ (Rlt_le _ _ (Hden N))).
-  apply Rmult_lt_reg_r with (3 ^ N * INR (fact N) * y ^ (3 * N)); auto. rewrite Rmult_assoc, Rinv_l by (apply Rgt_not_eq, Hden).
+  apply Rmult_lt_reg_r with (3 ^ N * INR (fact N) * y ^ (3 * N)); auto.
+  rewrite Rmult_assoc, Rinv_l by (apply Rgt_not_eq, Hden).
   rewrite Rmult_1_r, Rmult_1_l. eapply Rlt_le_trans; [exact HN|].
   replace (x ^ (3 * N) * 3 ^ N * INR (fact N)) with (3 ^ N * INR (fact N) * x ^ (3 * N)) by ring.
-  apply Rmult_le_compat_l. apply Rlt_le, Rmult_lt_0_compat. apply pow_lt; lra. apply INR_fact_lt_0. apply pow_incr; lra. }
+  apply Rmult_le_compat_l. apply Rlt_le, Rmult_lt_0_compat. apply pow_lt; lra. apply INR_fact_lt_0.
+  apply pow_incr; lra. }
 assert (Hnz : term N <> 0).
 { unfold term. apply Rmult_integral_contrapositive_currified. apply rising_neq0. intros k Hk; apply (Hb k); lra.
   apply Rinv_neq_0_compat, Rgt_not_eq, Hden. }

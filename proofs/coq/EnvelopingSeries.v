@@ -1,7 +1,8 @@
 (** * t -> -oo: the enveloping series
 
     The partial sums of e^(-u) envelop it; under the integral they give the series of proofs/negative.md, for every
-    derivative of order n > b, with its remainder. The leading term gives Theta(-x) ~ x^b for every b that is not 0, 1, 2, ... *)
+    derivative of order n > b, with its remainder. The leading term gives Theta(-x) ~ x^b for every b that is not 0, 1,
+    2, ... *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -26,7 +27,8 @@ induction n as [|n IH].
 - simpl. apply (is_derive_ext (fun _ => 1)).
   { intros t. unfold exp_term; simpl. field. }
   rewrite Ropp_0. apply (is_derive_const 1).
-- change (is_derive (fun u => sum_first (exp_term u) (S n) + exp_term u (S n)) u (- (sum_first (exp_term u) n + exp_term u n))).
+- change (is_derive (fun u => sum_first (exp_term u) (S n) + exp_term u (S n)) u
+    (- (sum_first (exp_term u) n + exp_term u n))).
   rewrite Ropp_plus_distr.
   apply (is_derive_plus (fun u => sum_first (exp_term u) (S n)) (fun u => exp_term u (S n))); auto.
   assert (Hf := INR_fact_neq_0 n). assert (Hs := not_0_INR (S n) ltac:(lia)).

@@ -1,13 +1,15 @@
 (** * The series of e^h in eta, and its remainder
 
-    The weight of the compliant model is e^(-r^3/3) e^h with (1 + eta r) h' = eta r^3/2, ' = d/dr, h(0) = 0. Hence the coefficients c_(k,m) of
-    e^h = sum eta^k c_(k,m) r^(k+3m) have the recurrence of two terms of [series_coefficient]. Let P be the part k < N, q its next term: then
-    (1 + eta r)(P' - h' P) = - eta^N q' exactly, so (e^-h (e^h - P))' = e^-h eta^N q'/(1 + eta r) is at most
-    eta^N sum |c_(N,m)| (N + 3m) r^(N+3m-1), and |e^h - P| <= eta^N sum |c_(N,m)| r^(N+3m) e^h. *)
+    The weight of the compliant model is e^(-r^3/3) e^h with (1 + eta r) h' = eta r^3/2, ' = d/dr, h(0) = 0. Hence the
+    coefficients c_(k,m) of e^h = sum eta^k c_(k,m) r^(k+3m) have the recurrence of two terms of [series_coefficient].
+    Let P be the part k < N, q its next term: then (1 + eta r)(P' - h' P) = - eta^N q' exactly, so (e^-h (e^h - P))' =
+    e^-h eta^N q'/(1 + eta r) is at most eta^N sum |c_(N,m)| (N + 3m) r^(N+3m-1), and |e^h - P| <= eta^N sum |c_(N,m)|
+    r^(N+3m) e^h. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement StatementCompliant Calculus ImproperIntegral EnvelopingSeries CompliantKernel LeftExpansion CompliantMonotone.
+From GSpot Require Import Statement StatementCompliant Calculus ImproperIntegral EnvelopingSeries CompliantKernel
+  LeftExpansion CompliantMonotone.
 Open Scope R_scope.
 
 Definition eta_series (eta : R) (N : nat) (x : nat -> R) : R :=
@@ -19,7 +21,8 @@ Lemma sum_first_plus a d n : sum_first (fun k => a k + d k) n = sum_first a n + 
 Proof. induction n as [|n IH]; simpl; [ring|rewrite IH; ring]. Qed.
 
 Lemma sum_first_head a n : sum_first a (S n) = a 0%nat + sum_first (fun k => a (S k)) n.
-Proof. induction n as [|n IH]; [simpl; ring|]. change (sum_first a (S (S n))) with (sum_first a (S n) + a (S n)). rewrite IH. simpl. ring. Qed.
+Proof. induction n as [|n IH]; [simpl; ring|]. change (sum_first a (S (S n))) with (sum_first a (S n) + a (S n)).
+rewrite IH. simpl. ring. Qed.
 
 Lemma sum_first_ext_below a d n : (forall k, (k < n)%nat -> a k = d k) -> sum_first a n = sum_first d n.
 Proof. induction n as [|n IH]; intros H; simpl; auto. rewrite IH, H by auto. reflexivity. Qed.
@@ -48,7 +51,8 @@ intros H. induction n as [|n IH].
 - exact (is_RInt_gen_plus _ _ _ _ IH (H n)).
 Qed.
 
-Lemma sum_first_small q (a : nat -> R -> R) n : (forall k, (k < n)%nat -> small q (a k)) -> small q (fun x => sum_first (fun k => a k x) n).
+Lemma sum_first_small q (a : nat -> R -> R) n : (forall k, (k < n)%nat -> small q (a k)) ->
+  small q (fun x => sum_first (fun k => a k x) n).
 Proof.
 intros H. induction n as [|n IH]; simpl.
 - exists 0. intros x _. rewrite Rabs_R0. lra.
@@ -86,16 +90,19 @@ replace ((INR (S k) + 3 * INR (S m)) * ((-1) ^ (S k + S m) * series_coefficient 
   with ((-1) ^ (S k + S m) * ((INR (S k) + 3 * INR (S m)) * series_coefficient (S k) (S m))) by ring.
 rewrite coefficient_next.
 assert (A := IH m). assert (B := IH (S m)). assert (Q := pos_INR k). assert (Q' := pos_INR (S m)).
-replace ((-1) ^ (S k + S m)) with ((-1) ^ (k + m)) by (replace (S k + S m)%nat with (S (S (k + m))) by lia; simpl; ring).
+replace ((-1) ^ (S k + S m)) with ((-1) ^ (k + m)) by (replace (S k + S m)%nat with (S (S (k + m))) by lia; simpl;
+  ring).
 replace ((-1) ^ (k + S m)) with (- (-1) ^ (k + m)) in B by (replace (k + S m)%nat with (S (k + m)) by lia; simpl; ring).
-assert (C : 0 <= (INR k + 3 * INR (S m)) * (- (-1) ^ (k + m) * series_coefficient k (S m))) by (apply Rmult_le_pos; lra). lra.
+assert (C : 0 <= (INR k + 3 * INR (S m)) * (- (-1) ^ (k + m) * series_coefficient k (S m)))
+  by (apply Rmult_le_pos; lra). lra.
 Qed.
 
 Arguments series_coefficient : simpl never.
 
 (** ** What the part k < N leaves over, with any numbers x_i in place of r^i *)
 
-Definition operator (eta : R) (x : nat -> R) (i : nat) : R := INR i * (x i + eta * x (i + 1)%nat) - eta / 2 * x (i + 4)%nat.
+Definition operator (eta : R) (x : nat -> R) (i : nat) : R := INR i * (x i + eta * x (i + 1)%nat) - eta / 2 * x
+  (i + 4)%nat.
 
 Lemma eta_series_next eta N x : eta_series eta (S N) x
   = eta_series eta N x + eta ^ N * sum_first (fun m => series_coefficient N m * x (N + 3 * m)%nat) (S N).
@@ -121,12 +128,15 @@ induction N as [|N IH].
   { rewrite <- (sum_first_scal (- / 2)), <- sum_first_plus, <- sum_first_scal, <- sum_first_plus. apply sum_first_ext.
     intros m. unfold operator, u. field. }
   assert (E2 : sum_first (fun m => series_coefficient (S N) (S m) * (INR (S N + 3 * S m) * x (S N + 3 * S m)%nat)) (S N)
-    = - sum_first (fun m => u (S m)) (S N) + / 2 * sum_first (fun m => series_coefficient N m * x (N + 3 * m + 4)%nat) (S N)).
+    = - sum_first (fun m => u (S m)) (S N) + / 2 * sum_first (fun m => series_coefficient N m * x (N + 3 * m + 4)%nat)
+      (S N)).
   { replace (- sum_first (fun m => u (S m)) (S N)) with (-1 * sum_first (fun m => u (S m)) (S N)) by ring.
     rewrite <- !sum_first_scal, <- sum_first_plus. apply sum_first_ext. intros m. unfold u.
-    replace (S N + 3 * S m)%nat with (N + 3 * m + 4)%nat by lia. replace (N + 3 * S m + 1)%nat with (N + 3 * m + 4)%nat by lia.
+    replace (S N + 3 * S m)%nat with (N + 3 * m + 4)%nat by lia.
+    replace (N + 3 * S m + 1)%nat with (N + 3 * m + 4)%nat by lia.
     assert (C := coefficient_next N m).
-    replace (INR (N + 3 * m + 4)) with (INR (S N) + 3 * INR (S m)) by (rewrite !S_INR, !plus_INR, mult_INR; simpl; ring).
+    replace (INR (N + 3 * m + 4)) with (INR (S N) + 3 * INR (S m)) by (rewrite !S_INR, !plus_INR, mult_INR; simpl;
+      ring).
     replace (INR (N + 3 * S m)) with (INR N + 3 * INR (S m)) by (rewrite plus_INR, mult_INR; simpl; ring).
     transitivity ((INR (S N) + 3 * INR (S m)) * series_coefficient (S N) (S m) * x (N + 3 * m + 4)%nat); [ring|].
     rewrite C. field. }
@@ -150,7 +160,8 @@ intros H. unfold eta_series.
 apply (sum_first_derive (fun k t => eta ^ k * sum_first (fun m => series_coefficient k m * x (k + 3 * m)%nat t) (S k))
   (fun k => eta ^ k * sum_first (fun m => series_coefficient k m * d (k + 3 * m)%nat) (S k))). intros k.
 apply (is_derive_scal (fun t => sum_first (fun m => series_coefficient k m * x (k + 3 * m)%nat t) (S k))).
-apply (sum_first_derive (fun m t => series_coefficient k m * x (k + 3 * m)%nat t) (fun m => series_coefficient k m * d (k + 3 * m)%nat)).
+apply (sum_first_derive (fun m t => series_coefficient k m * x (k + 3 * m)%nat t) (fun m =>
+  series_coefficient k m * d (k + 3 * m)%nat)).
 intros m. apply (is_derive_scal (x (k + 3 * m)%nat)), H.
 Qed.
 
@@ -160,12 +171,14 @@ Proof. intros H. apply sum_first_ext. intros k. f_equal. apply sum_first_ext. in
 Lemma series_scal eta N q x : eta_series eta N (fun i => q * x i) = q * eta_series eta N x.
 Proof.
 unfold eta_series. rewrite <- sum_first_scal. apply sum_first_ext. intros k.
-rewrite (sum_first_ext _ (fun m => q * (series_coefficient k m * x (k + 3 * m)%nat))) by (intros; ring). rewrite sum_first_scal. ring.
+rewrite (sum_first_ext _ (fun m => q * (series_coefficient k m * x (k + 3 * m)%nat))) by (intros; ring).
+rewrite sum_first_scal. ring.
 Qed.
 
 Lemma series_plus eta N x y : eta_series eta N (fun i => x i + y i) = eta_series eta N x + eta_series eta N y.
 Proof.
-unfold eta_series. rewrite <- sum_first_plus. apply sum_first_ext. intros k. rewrite <- Rmult_plus_distr_l, <- sum_first_plus. f_equal.
+unfold eta_series. rewrite <- sum_first_plus. apply sum_first_ext. intros k.
+rewrite <- Rmult_plus_distr_l, <- sum_first_plus. f_equal.
 apply sum_first_ext. intros; ring.
 Qed.
 
@@ -206,25 +219,33 @@ Proof. intros He Hr. destruct (weight_bounds eta r He Hr) as (B1 & B2 & B3). unf
 Definition remainder_bound (eta : R) (N : nat) (x : nat -> R) : R :=
   eta ^ N * sum_first (fun m => Rabs (series_coefficient N m) * x (N + 3 * m)%nat) (S N).
 
+(** Plan: f = 1 - e^(-h) P, P the partial sum, h the exponent, is 0 at 0. By [series_operator] nearly all terms of f'
+    cancel: |f'| is at most the derivative of the bound S0 (B). So |f| <= S0 up to r, and e^h f is what is to be
+    bounded. *)
 Theorem series_remainder eta N r : (1 <= N)%nat -> 0 < eta -> 0 < r ->
-  Rabs (exp (exponent eta r) - eta_series eta N (fun i => r ^ i)) <= remainder_bound eta N (fun i => r ^ i * exp (exponent eta r)).
+  Rabs (exp (exponent eta r) - eta_series eta N (fun i => r ^ i)) <= remainder_bound eta N (fun i =>
+    r ^ i * exp (exponent eta r)).
 Proof.
 intros HN He Hr.
 set (P := fun r => eta_series eta N (fun i => r ^ i)). set (S0 := fun r => remainder_bound eta N (fun i => r ^ i)).
 set (P' := fun r => eta_series eta N (power_derive r)). set (S' := fun r => remainder_bound eta N (power_derive r)).
 assert (DP : forall x, is_derive P x (P' x)) by (intros x; apply series_derive; intros i; apply power_is_derive).
 assert (DS : forall x, is_derive S0 x (S' x)).
-{ intros x. apply (is_derive_scal (fun x => sum_first (fun m => Rabs (series_coefficient N m) * x ^ (N + 3 * m)) (S N))).
-  apply (sum_first_derive (fun m x => Rabs (series_coefficient N m) * x ^ (N + 3 * m)) (fun m => Rabs (series_coefficient N m) * power_derive x (N + 3 * m))).
+{ intros x. apply (is_derive_scal (fun x => sum_first (fun m => Rabs (series_coefficient N m) * x ^ (N + 3 * m))
+    (S N))).
+  apply (sum_first_derive (fun m x => Rabs (series_coefficient N m) * x ^ (N + 3 * m)) (fun m =>
+    Rabs (series_coefficient N m) * power_derive x (N + 3 * m))).
   intros m. apply (is_derive_scal (fun x => x ^ (N + 3 * m))), power_is_derive. }
 set (f := fun x => 1 - exp (- exponent eta x) * P x).
 set (f' := fun x => exp (- exponent eta x) * (eta * x ^ 3 / (2 * (1 + eta * x)) * P x - P' x)).
 assert (Df : forall x, 0 <= x -> is_derive f x (f' x)).
 { intros x Hx. assert (DE := exponent_derive eta x He Hx). set (d := eta * x ^ 3 / (2 * (1 + eta * x))) in *.
-  apply (is_derive_val _ _ (0 - (- d * exp (- exponent eta x) * P x + exp (- exponent eta x) * P' x))); [|unfold f'; fold d; ring].
+  apply (is_derive_val _ _ (0 - (- d * exp (- exponent eta x) * P x + exp (- exponent eta x) * P' x)));
+    [|unfold f'; fold d; ring].
   apply (is_derive_minus (fun _ => 1) (fun x => exp (- exponent eta x) * P x)). apply (is_derive_const 1).
   apply (is_derive_mult_R (fun x => exp (- exponent eta x)) P); [|apply DP].
-  apply (is_derive_comp exp (fun x => - exponent eta x)). apply is_derive_exp. apply (is_derive_opp (exponent eta)), DE. }
+  apply (is_derive_comp exp (fun x => - exponent eta x)). apply is_derive_exp.
+  apply (is_derive_opp (exponent eta)), DE. }
 assert (B : forall x, 0 < x -> Rabs (f' x) <= S' x).
 { intros x Hx. assert (X : 0 < eta * x) by (apply Rmult_lt_0_compat; auto).
   assert (O := series_operator eta N (fun i => x ^ i)).
@@ -233,31 +254,39 @@ assert (B : forall x, 0 < x -> Rabs (f' x) <= S' x).
     rewrite Rmult_assoc, (Rmult_comm (1 + eta * x)), <- Rmult_assoc, times_power_derive, !pow_add. simpl. field. }
   rewrite EO in O. clear EO.
   assert (F : x * (eta * x ^ 3 / (2 * (1 + eta * x)) * P x - P' x)
-    = / (1 + eta * x) * (eta ^ N * sum_first (fun m => series_coefficient N m * (INR (N + 3 * m) * x ^ (N + 3 * m))) (S N))).
-  { apply (Rmult_eq_reg_l (1 + eta * x)); [|lra]. rewrite <- Rmult_assoc, <- (Rmult_assoc (1 + eta * x) (/ _)), Rinv_r, Rmult_1_l by lra.
+    = / (1 + eta * x) * (eta ^ N * sum_first (fun m => series_coefficient N m * (INR (N + 3 * m) * x ^ (N + 3 * m)))
+      (S N))).
+  { apply (Rmult_eq_reg_l (1 + eta * x)); [|lra].
+    rewrite <- Rmult_assoc, <- (Rmult_assoc (1 + eta * x) (/ _)), Rinv_r, Rmult_1_l by lra.
     replace ((1 + eta * x) * x * (eta * x ^ 3 / (2 * (1 + eta * x)) * P x - P' x))
       with (- (x * (1 + eta * x) * P' x + - (eta * x ^ 4 / 2) * P x)) by (field; lra). rewrite O. ring. }
-  assert (T : Rabs (eta ^ N * sum_first (fun m => series_coefficient N m * (INR (N + 3 * m) * x ^ (N + 3 * m))) (S N)) <= x * S' x).
+  assert (T : Rabs (eta ^ N * sum_first (fun m => series_coefficient N m * (INR (N + 3 * m) * x ^ (N + 3 * m))) (S N))
+    <= x * S' x).
   { unfold S', remainder_bound. rewrite Rabs_mult, (Rabs_pos_eq (eta ^ N)) by (apply pow_le; lra).
     rewrite <- Rmult_assoc, (Rmult_comm x), Rmult_assoc. apply Rmult_le_compat_l; [apply pow_le; lra|].
     eapply Rle_trans; [apply sum_first_abs|]. rewrite <- sum_first_scal. right. apply sum_first_ext. intros m.
     rewrite Rabs_mult, (Rabs_pos_eq (INR _ * _)) by (apply Rmult_le_pos; [apply pos_INR|apply pow_le; lra]).
     rewrite <- times_power_derive. ring. }
   apply (Rmult_le_reg_l x); auto.
-  assert (E1 : exp (- exponent eta x) <= 1) by (rewrite <- exp_0; apply exp_le; destruct (exponent_bounds eta x He Hx); lra).
+  assert (E1 : exp (- exponent eta x) <= 1) by (rewrite <- exp_0; apply exp_le; destruct (exponent_bounds eta x He Hx);
+    lra).
   assert (E0 := exp_pos (- exponent eta x)).
-  assert (I : 0 < / (1 + eta * x) <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1 at 2. apply Rinv_le_contravar; lra. }
+  assert (I : 0 < / (1 + eta * x) <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1 at 2.
+  apply Rinv_le_contravar; lra. }
   unfold f'. rewrite Rabs_mult, (Rabs_pos_eq (exp _)) by lra.
   set (w := eta * x ^ 3 / (2 * (1 + eta * x)) * P x - P' x) in *.
   assert (W : x * Rabs w <= x * S' x).
   { rewrite <- (Rabs_pos_eq x) at 1 by lra. rewrite <- Rabs_mult, F, Rabs_mult, (Rabs_pos_eq (/ _)) by lra.
     eapply Rle_trans; [|exact T]. rewrite <- (Rmult_1_l (Rabs _)) at 2. apply Rmult_le_compat_r; [apply Rabs_pos|lra]. }
-  eapply Rle_trans; [|exact W]. replace (x * (exp (- exponent eta x) * Rabs w)) with (exp (- exponent eta x) * (x * Rabs w)) by ring.
-  rewrite <- (Rmult_1_l (x * Rabs w)) at 2. apply Rmult_le_compat_r; [|exact E1]. apply Rmult_le_pos; [lra|apply Rabs_pos]. }
+  eapply Rle_trans; [|exact W].
+  replace (x * (exp (- exponent eta x) * Rabs w)) with (exp (- exponent eta x) * (x * Rabs w)) by ring.
+  rewrite <- (Rmult_1_l (x * Rabs w)) at 2. apply Rmult_le_compat_r; [|exact E1].
+  apply Rmult_le_pos; [lra|apply Rabs_pos]. }
 assert (f0 : f 0 = 0).
 { unfold f, P. rewrite exponent_0, Ropp_0, exp_0 by auto. destruct N as [|N]; [lia|]. rewrite series_at_0. ring. }
 assert (S00 : 0 <= S0 0).
-{ apply Rmult_le_pos. apply pow_le; lra. apply sum_first_nonnegative. intros m. apply Rmult_le_pos. apply Rabs_pos. apply pow_le; lra. }
+{ apply Rmult_le_pos. apply pow_le; lra. apply sum_first_nonnegative. intros m. apply Rmult_le_pos. apply Rabs_pos.
+  apply pow_le; lra. }
 assert (R1 : 0 <= S0 r - f r).
 { apply (nonnegative_of_derive (fun x => S0 x - f x) (fun x => S' x - f' x) 0 r); [lra| | |lra].
   - intros x Hx. apply (is_derive_minus S0 f); auto. apply Df; lra.

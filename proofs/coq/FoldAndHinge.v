@@ -1,8 +1,8 @@
 (** * Folds and hinges
 
-    proofs/fold.md. A strictly convex function that is negative at 0 and positive at the ends has exactly two zeros, both simple; if it
-    vanishes at 0 with its slope it is positive elsewhere. At b = n = 2 mod 3 P_n has a double zero at 0; F increases with b. The hinge: a
-    monotone function on one side of 0 with a known sign at 0. *)
+    proofs/fold.md. A strictly convex function that is negative at 0 and positive at the ends has exactly two zeros,
+    both simple; if it vanishes at 0 with its slope it is positive elsewhere. At b = n = 2 mod 3 P_n has a double zero
+    at 0; F increases with b. The hinge: a monotone function on one side of 0 with a known sign at 0. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -39,13 +39,17 @@ Lemma convex_two_zeros : f 0 < 0 -> 0 < f t1 -> 0 < f t2 ->
     forall t, t1 <= t <= t2 -> f t = 0 -> t = x \/ t = y.
 Proof.
 intros F0 F1 F2. assert (Hc := derive_continuity _ _ D0).
-destruct (IVT_cor f t1 0 Hc ltac:(lra)) as (x & Hx & Ex). { assert (0 < f t1 * - f 0) by (apply Rmult_lt_0_compat; lra). lra. }
-destruct (IVT_cor f 0 t2 Hc ltac:(lra)) as (y & Hy & Ey). { assert (0 < - f 0 * f t2) by (apply Rmult_lt_0_compat; lra). lra. }
+destruct (IVT_cor f t1 0 Hc ltac:(lra)) as (x & Hx & Ex). { assert (0 < f t1 * - f 0) by (apply Rmult_lt_0_compat; lra).
+lra. }
+destruct (IVT_cor f 0 t2 Hc ltac:(lra)) as (y & Hy & Ey). { assert (0 < - f 0 * f t2) by (apply Rmult_lt_0_compat; lra).
+lra. }
 assert (X : t1 < x < 0).
-{ split; [destruct (Rle_lt_or_eq_dec _ _ (proj1 Hx)) as [H|H]|destruct (Rle_lt_or_eq_dec _ _ (proj2 Hx)) as [H|H]]; auto;
+{ split; [destruct (Rle_lt_or_eq_dec _ _ (proj1 Hx)) as [H|H]|destruct (Rle_lt_or_eq_dec _ _ (proj2 Hx)) as [H|H]];
+    auto;
   exfalso; [rewrite H in F1|rewrite H in Ex]; lra. }
 assert (Y : 0 < y < t2).
-{ split; [destruct (Rle_lt_or_eq_dec _ _ (proj1 Hy)) as [H|H]|destruct (Rle_lt_or_eq_dec _ _ (proj2 Hy)) as [H|H]]; auto;
+{ split; [destruct (Rle_lt_or_eq_dec _ _ (proj1 Hy)) as [H|H]|destruct (Rle_lt_or_eq_dec _ _ (proj2 Hy)) as [H|H]];
+    auto;
   exfalso; [rewrite <- H in Ey|rewrite H in Ey]; lra. }
 assert (SX : f1 x < 0).
 { destruct (between x 0 (proj2 X)) as (c & C & E). assert (A := slope_increases x c ltac:(lra) ltac:(lra) ltac:(lra)).

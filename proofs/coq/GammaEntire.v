@@ -1,13 +1,15 @@
 (** * 1/Gamma is an entire function
 
-    At every centre x0 its power series has bounded norm on every radius ([entire]). With Y(h) = Gamma(x0) - x0^-h Gamma(x0 + h)
-    = int (1 - (u/x0)^h) u^(x0-1) e^-u du, the norm of Y on the radius N/2 is at most int (e^(N|y|/2) - 1) u^(x0-1) e^-u du, y = ln(u/x0), and
-    e^(N|y|/2) - 1 <= 1/4 + e^(Ny) + e^(-Ny) - 2. So it is at most (1/4 - 2 + 10/9 + 10/9) Gamma(x0) < Gamma(x0)/2 for x0 >= 10 N^2: mean values of
-    (u/x0)^(+-N), which are products. Hence 1/Gamma(x0 + h) = x0^-h/(Gamma(x0) - Y(h)) is a series on that radius; downwards by 1/Gamma(x) = x/Gamma(x + 1). *)
+    At every centre x0 its power series has bounded norm on every radius ([entire]). With Y(h) = Gamma(x0) - x0^-h
+    Gamma(x0 + h) = int (1 - (u/x0)^h) u^(x0-1) e^-u du, the norm of Y on the radius N/2 is at most int (e^(N|y|/2) - 1)
+    u^(x0-1) e^-u du, y = ln(u/x0), and e^(N|y|/2) - 1 <= 1/4 + e^(Ny) + e^(-Ny) - 2. So it is at most (1/4 - 2 + 10/9 +
+    10/9) Gamma(x0) < Gamma(x0)/2 for x0 >= 10 N^2: mean values of (u/x0)^(+-N), which are products. Hence 1/Gamma(x0 +
+    h) = x0^-h/(Gamma(x0) - Y(h)) is a series on that radius; downwards by 1/Gamma(x) = x/Gamma(x + 1). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus TruncatedIntegral TruncationLimit GammaFunction ImproperIntegral GammaMultiplication EntireForm
+From GSpot Require Import Statement Calculus TruncatedIntegral TruncationLimit GammaFunction ImproperIntegral
+  GammaMultiplication EntireForm
   PowerSeriesNorm NormLimit.
 Open Scope R_scope.
 
@@ -19,7 +21,8 @@ intros Hr (a & Ha & Hf).
 assert (a0 : a 0%nat = f 0).
 { assert (E := Hf 0 ltac:(rewrite Rabs_R0; lra)). apply is_pseries_unique in E. rewrite PSeries_0 in E. exact E. }
 exists (fun n => match n with O => 0 | S _ => a n end).
-assert (E : forall (u : nat -> R) N, sum_first (fun n => match n with O => 0 | S _ => u n end) (S N) = sum_first u (S N) - u 0%nat).
+assert (E : forall (u : nat -> R) N, sum_first (fun n => match n with O => 0 | S _ => u n end) (S N) = sum_first u (S N)
+  - u 0%nat).
 { intros u. induction N as [|N IH]. simpl. ring.
   change (sum_first ?v (S (S N))) with (sum_first v (S N) + v (S N)). rewrite IH. simpl. ring. }
 split.
@@ -31,7 +34,8 @@ split.
 - intros x Hx. assert (L := proj1 (is_pseries_sum_first _ _ _) (Hf x Hx)). apply is_pseries_sum_first.
   apply is_lim_seq_incr_1. apply is_lim_seq_incr_1 in L.
   apply (is_lim_seq_ext (fun N => sum_first (fun n => a n * x ^ n) (S N) - f 0)).
-  + intros N. rewrite (sum_first_ext (fun n => match n with O => 0 | S _ => a n end * x ^ n) (fun n => match n with O => 0 | S _ => a n * x ^ n end)).
+  + intros N. rewrite (sum_first_ext (fun n => match n with O => 0 | S _ => a n end * x ^ n) (fun n => match n with O =>
+      0 | S _ => a n * x ^ n end)).
     * rewrite (E (fun n => a n * x ^ n)). rewrite a0. simpl pow at 3. ring.
     * intros [|n]; auto. ring.
   + apply is_lim_seq_minus'; auto. apply is_lim_seq_const.
@@ -89,7 +93,8 @@ Lemma quotient_small : 0 < q <= 1 / 10 /\ 9 / 10 <= (1 - q) ^ N.
 Proof.
 assert (H := one_le_N). destruct centre_large as (H1 & H2 & _).
 assert (Q : 0 < q <= 1 / 10).
-{ unfold q. split. apply Rdiv_lt_0_compat; lra. apply Rmult_le_reg_r with x0; [lra|]. replace (INR N / x0 * x0) with (INR N) by (field; lra). lra. }
+{ unfold q. split. apply Rdiv_lt_0_compat; lra. apply Rmult_le_reg_r with x0; [lra|].
+  replace (INR N / x0 * x0) with (INR N) by (field; lra). lra. }
 split; auto. apply Rle_trans with (1 - INR N * q). 2: apply bernoulli; lra.
 assert (INR N * q <= 1 / 10); [|lra]. unfold q.
 apply Rmult_le_reg_r with x0; [lra|]. replace (INR N * (INR N / x0) * x0) with (INR N ^ 2) by (field; lra). lra.
@@ -104,8 +109,10 @@ apply Rmult_le_reg_r with (x0 ^ N); auto.
 replace (rising x0 N * Gamma x0 / x0 ^ N * x0 ^ N) with (rising x0 N * Gamma x0) by (field; lra).
 replace (10 / 9 * Gamma x0 * x0 ^ N) with (10 / 9 * x0 ^ N * Gamma x0) by ring. apply Rmult_le_compat_r; [lra|].
 eapply Rle_trans; [apply rising_between; lra|].
-replace (x0 + INR N) with (x0 * (1 + q)) by (unfold q; field; lra). rewrite Rpow_mult_distr, Rmult_comm. apply Rmult_le_compat_r; [lra|].
-assert (B : (1 + q) ^ N * (1 - q) ^ N <= 1). { rewrite <- Rpow_mult_distr. apply Rle_trans with (1 ^ N); [|rewrite pow1; lra]. apply pow_incr.
+replace (x0 + INR N) with (x0 * (1 + q)) by (unfold q; field; lra). rewrite Rpow_mult_distr, Rmult_comm.
+apply Rmult_le_compat_r; [lra|].
+assert (B : (1 + q) ^ N * (1 - q) ^ N <= 1).
+{ rewrite <- Rpow_mult_distr. apply Rle_trans with (1 ^ N); [|rewrite pow1; lra]. apply pow_incr.
   assert (Hqq := Rle_0_sqr q). unfold Rsqr in Hqq. split; [apply Rmult_le_pos; lra|lra]. }
 assert (A : 0 < (1 + q) ^ N) by (apply pow_lt; lra).
 assert ((1 + q) ^ N * (9 / 10) <= (1 + q) ^ N * (1 - q) ^ N) by (apply Rmult_le_compat_l; lra). lra.
@@ -141,13 +148,16 @@ Proof.
 destruct centre_large as (H1 & H2 & Hr). assert (H := one_le_N).
 assert (EN : exp (INR N * ln x0) = x0 ^ N) by (apply (Rpower_pow N x0); lra).
 assert (PN : 0 < x0 ^ N) by (apply pow_lt; lra). assert (G := Gamma_pos x0 ltac:(lra)).
-apply (norm_weaken r ((1 / 4 - 2) * Gamma x0 + (exp (- (INR N * ln x0)) * Gamma (x0 + INR N) + exp (- (- INR N * ln x0)) * Gamma (x0 + - INR N)))).
-{ assert (U := mean_up). assert (D := mean_down). unfold Rdiv at 1 in U. rewrite <- EN, <- exp_Ropp in U. rewrite <- EN in D.
+apply (norm_weaken r ((1 / 4 - 2) * Gamma x0 + (exp (- (INR N * ln x0)) * Gamma (x0 + INR N) + exp (- (- INR N * ln x0))
+  * Gamma (x0 + - INR N)))).
+{ assert (U := mean_up). assert (D := mean_down). unfold Rdiv at 1 in U. rewrite <- EN, <- exp_Ropp in U.
+  rewrite <- EN in D.
   replace (- (- INR N * ln x0)) with (INR N * ln x0) by ring. unfold Rminus in D. lra. }
 apply (norm_improper r (fun u h => gamma_integrand x0 u * (1 - exp (y u * h))) m); try lra.
 - intros u. assert (P := gamma_integrand_pos x0 u).
   apply (norm_weaken r (Rabs (gamma_integrand x0 u) * (Rabs (-1) * (exp (Rabs (y u) * r) - Rabs (exp (y u * 0)))))).
-  + replace (Rabs (-1)) with 1 by (rewrite Rabs_left; lra). rewrite Rmult_0_r, exp_0, Rabs_R1, Rmult_1_l, (Rabs_pos_eq (gamma_integrand x0 u)) by lra.
+  + replace (Rabs (-1)) with 1 by (rewrite Rabs_left; lra).
+    rewrite Rmult_0_r, exp_0, Rabs_R1, Rmult_1_l, (Rabs_pos_eq (gamma_integrand x0 u)) by lra.
     unfold m. rewrite Rmult_comm. apply Rmult_le_compat_r; [lra|].
     assert (W := weight_bound (INR N * y u)). rewrite Rabs_mult, (Rabs_pos_eq (INR N)) in W by lra.
     replace (INR N * Rabs (y u) / 2) with (Rabs (y u) * r) in W by (unfold r; field). lra.
@@ -155,8 +165,10 @@ apply (norm_improper r (fun u h => gamma_integrand x0 u * (1 - exp (y u * h))) m
     apply (norm_ext r _ (fun h => -1 * (exp (y u * h) - exp (y u * 0)))).
     { intros h _. rewrite Rmult_0_r, exp_0. ring. }
     apply norm_scal. apply (norm_drop_constant r _ (fun h => exp (y u * h))); [lra|]. apply norm_exp. lra.
-- intros u Hu. apply (continuous_mult (fun u => 1 / 4 - 2 + exp (INR N * y u) + exp (- (INR N * y u))) (gamma_integrand x0)).
-  + apply (ex_derive_continuous (fun u => 1 / 4 - 2 + exp (INR N * y u) + exp (- (INR N * y u)))). unfold y. auto_derive. auto.
+- intros u Hu. apply (continuous_mult (fun u => 1 / 4 - 2 + exp (INR N * y u) + exp (- (INR N * y u)))
+    (gamma_integrand x0)).
+  + apply (ex_derive_continuous (fun u => 1 / 4 - 2 + exp (INR N * y u) + exp (- (INR N * y u)))). unfold y.
+    auto_derive. auto.
   + apply continuous_gamma_integrand, Hu.
 - intros h u _ Hu. apply (continuous_mult (gamma_integrand x0) (fun u => 1 - exp (y u * h))).
   + apply continuous_gamma_integrand, Hu.
@@ -168,7 +180,8 @@ apply (norm_improper r (fun u h => gamma_integrand x0 u * (1 - exp (y u * h))) m
   eapply improper_ext; [|exact A]. intros u Hu. unfold plus, scal; simpl; unfold mult; simpl.
   rewrite <- !shifted_integrand. unfold m. replace (- (INR N * y u)) with (- INR N * y u) by ring. ring.
 - intros h Hh. apply Rabs_def2 in Hh.
-  assert (A0 := is_gamma x0 ltac:(lra)). assert (A1 := is_gamma (x0 + h) ltac:(lra)). apply (is_RInt_gen_scal _ (exp (- (h * ln x0)))) in A1.
+  assert (A0 := is_gamma x0 ltac:(lra)). assert (A1 := is_gamma (x0 + h) ltac:(lra)).
+  apply (is_RInt_gen_scal _ (exp (- (h * ln x0)))) in A1.
   assert (A := is_RInt_gen_minus _ _ _ _ A0 A1).
   eapply improper_ext; [|exact A]. intros u Hu. unfold minus, plus, opp, scal; simpl; unfold mult; simpl.
   rewrite <- shifted_integrand. replace (y u * h) with (h * y u) by ring. ring.
@@ -187,7 +200,8 @@ assert (C := norm_scal _ _ (/ Gamma x0) _ (norm_mult r _ _ _ _ ltac:(lra) B A)).
 eexists. eapply norm_ext; [|exact C].
 intros h Hh. apply Rabs_def2 in Hh. rewrite recip_pos by lra. assert (G' := Gamma_pos (x0 + h) ltac:(lra)).
 unfold Y. replace (- (h * ln x0)) with (- ln x0 * h) by ring. assert (P := exp_pos (- ln x0 * h)).
-replace (1 - / Gamma x0 * (Gamma x0 - exp (- ln x0 * h) * Gamma (x0 + h))) with (exp (- ln x0 * h) * Gamma (x0 + h) / Gamma x0) by (field; lra).
+replace (1 - / Gamma x0 * (Gamma x0 - exp (- ln x0 * h) * Gamma (x0 + h)))
+  with (exp (- ln x0 * h) * Gamma (x0 + h) / Gamma x0) by (field; lra).
 field. repeat split; lra.
 Qed.
 End Right.
@@ -232,7 +246,8 @@ assert (H1 : (1 <= N)%nat) by (unfold N; lia).
 cut (exists M, norm_at_most (INR N / 2) M (fun h => recip_Gamma (x + h))).
 { intros [M HM]. exists M. eapply norm_smaller; [|exact HM]. lra. }
 clear Hr HN. clearbody N. assert (P : 0 < INR N / 2) by (assert (H := le_INR 1 N H1); simpl in H; lra). revert x.
-assert (S : forall k x, 10 * INR N ^ 2 <= x + INR k -> exists M, norm_at_most (INR N / 2) M (fun h => recip_Gamma (x + h))).
+assert (S : forall k x, 10 * INR N ^ 2 <= x + INR k -> exists M, norm_at_most (INR N / 2) M (fun h =>
+  recip_Gamma (x + h))).
 { induction k as [|k IH]; intros x Hx.
   - apply recip_norm_right; auto. simpl in Hx. lra.
   - destruct (IH (x + 1)) as [M HM]. { rewrite S_INR in Hx. lra. }

@@ -1,8 +1,9 @@
 (** * Initial value problems on the whole line
 
-    x' = f(t, x) for finitely many components, f continuous along continuous functions and Lipschitz in x, on each compact interval with one constant: from every
-    state there is a solution on R ([solution_exists], by Picard's iteration; consecutive iterates differ by at most
-    M L^n |t - t0|^(n+1)/(n+1)!), and two solutions on an interval that agree at one time agree on it ([solution_unique], by the same bound). *)
+    x' = f(t, x) for finitely many components, f continuous along continuous functions and Lipschitz in x, on each
+    compact interval with one constant: from every state there is a solution on R ([solution_exists], by Picard's
+    iteration; consecutive iterates differ by at most M L^n |t - t0|^(n+1)/(n+1)!), and two solutions on an interval
+    that agree at one time agree on it ([solution_unique], by the same bound). *)
 
 From Coq Require Import Reals Psatz Lra Lia List.
 From Coquelicot Require Import Coquelicot.
@@ -19,7 +20,8 @@ intros Ht D H.
 assert (Hf := INR_fact_lt_0 n). assert (Hn := lt_0_INR (S n) (Nat.lt_0_succ n)).
 assert (DP : forall s, is_derive (fun s => c * (s - t0) ^ S n / INR (fact (S n))) s (c * (s - t0) ^ n / INR (fact n))).
 { intros s. apply (is_derive_ext (fun s => c / INR (fact (S n)) * (s - t0) ^ S n)).
-  { intros u. unfold Rdiv. change (@eq R (c * / INR (fact (S n)) * (u - t0) ^ S n) (c * (u - t0) ^ S n * / INR (fact (S n)))). ring. }
+  { intros u. unfold Rdiv.
+    change (@eq R (c * / INR (fact (S n)) * (u - t0) ^ S n) (c * (u - t0) ^ S n * / INR (fact (S n)))). ring. }
   eapply is_derive_val.
   - apply (is_derive_scal (fun s => (s - t0) ^ S n)). apply is_derive_pow.
     apply (is_derive_minus (fun s => s) (fun _ => t0)). apply (is_derive_id s). apply (is_derive_const t0).
@@ -27,11 +29,13 @@ assert (DP : forall s, is_derive (fun s => c * (s - t0) ^ S n / INR (fact (S n))
     rewrite fact_simpl, mult_INR. change (Init.Nat.pred (S n)) with n. field. lra. }
 assert (P0 : c * (t0 - t0) ^ S n / INR (fact (S n)) = 0) by (simpl; unfold Rdiv; ring).
 assert (U : f t - c * (t - t0) ^ S n / INR (fact (S n)) <= f t0 - c * (t0 - t0) ^ S n / INR (fact (S n))).
-{ apply (decr_of_derive (fun s => f s - c * (s - t0) ^ S n / INR (fact (S n))) (fun s => f' s - c * (s - t0) ^ n / INR (fact n))); auto.
+{ apply (decr_of_derive (fun s => f s - c * (s - t0) ^ S n / INR (fact (S n))) (fun s =>
+    f' s - c * (s - t0) ^ n / INR (fact n))); auto.
   - intros s Hs. apply (is_derive_minus f); auto.
   - intros s Hs. specialize (H s Hs). generalize (Rle_abs (f' s)). lra. }
 assert (L : - f t - c * (t - t0) ^ S n / INR (fact (S n)) <= - f t0 - c * (t0 - t0) ^ S n / INR (fact (S n))).
-{ apply (decr_of_derive (fun s => - f s - c * (s - t0) ^ S n / INR (fact (S n))) (fun s => - f' s - c * (s - t0) ^ n / INR (fact n))); auto.
+{ apply (decr_of_derive (fun s => - f s - c * (s - t0) ^ S n / INR (fact (S n))) (fun s =>
+    - f' s - c * (s - t0) ^ n / INR (fact n))); auto.
   - intros s Hs. apply (is_derive_minus (fun s => - f s)); auto. apply (is_derive_opp f); auto.
   - intros s Hs. specialize (H s Hs). generalize (Rle_abs (- f' s)). rewrite Rabs_Ropp. lra. }
 rewrite P0 in U, L. apply Rabs_le. lra.
@@ -55,7 +59,8 @@ unfold segment. intros D H. destruct (Rle_dec t0 t) as [Ht|Ht].
     * apply (is_derive_comp f (fun s => 2 * t0 - s)). apply D; split; lra. auto_derive; auto.
     * unfold scal; simpl; unfold mult; simpl. ring.
   + intros s Hs. rewrite Rabs_Ropp. specialize (H (2 * t0 - s) ltac:(lra)).
-    rewrite (Rabs_left1 (2 * t0 - s - t0)) in H by lra. replace (- (2 * t0 - s - t0)) with (s - t0) in H by ring. exact H.
+    rewrite (Rabs_left1 (2 * t0 - s - t0)) in H by lra. replace (- (2 * t0 - s - t0)) with (s - t0) in H by ring.
+    exact H.
 Qed.
 
 Lemma segment_near t0 t s : segment t0 t s -> Rabs (s - t0) <= Rabs (t - t0).
@@ -95,7 +100,8 @@ assert (A : exists M, 0 <= M /\ forall i t, In i all -> lo <= t <= hi -> Rabs (g
   - exists 0. split. lra. intros i t [].
   - destruct IH as (M & HM & H). destruct (B j) as (M' & H').
     exists (Rmax M M'). split. eapply Rle_trans; [exact HM|apply Rmax_l].
-    intros i t [<-|Hi] Ht. eapply Rle_trans; [apply H', Ht|apply Rmax_r]. eapply Rle_trans; [apply H; auto|apply Rmax_l]. }
+    intros i t [<-|Hi] Ht. eapply Rle_trans; [apply H', Ht|apply Rmax_r].
+    eapply Rle_trans; [apply H; auto|apply Rmax_l]. }
 destruct A as (M & HM & H). exists M. split; auto.
 Qed.
 
@@ -110,12 +116,14 @@ destruct (common_bound (fun i s => x i s - x' i s) (Rmin t0 t) (Rmax t0 t)) as (
 { intros j s Hs. apply (ex_derive_continuous (fun s => x j s - x' j s)).
   eexists. apply (is_derive_minus (x j) (x' j)); [apply D|apply D']; exact Hs. }
 destruct (f_lipschitz (Rabs (t - t0))) as (L & HL0 & HL).
-assert (G : forall n s, segment t0 t s -> forall i, Rabs (x i s - x' i s) <= M * L ^ n * Rabs (s - t0) ^ n / INR (fact n)).
+assert (G : forall n s, segment t0 t s -> forall i, Rabs (x i s - x' i s) <= M * L ^ n * Rabs (s - t0) ^ n / INR
+  (fact n)).
 { induction n as [|n IH]; intros s Hs j.
   - simpl. replace (M * 1 * 1 / 1) with M by field. exact (HB j s Hs).
   - assert (Sub : forall u, segment t0 s u -> segment t0 t u).
     { intros u Hu. revert Hs Hu. unfold segment, Rmin, Rmax. repeat destruct Rle_dec; lra. }
-    replace (x j s - x' j s) with ((fun s => x j s - x' j s) s - (fun s => x j s - x' j s) t0) by (cbv beta; rewrite (E0 j); ring).
+    replace (x j s - x' j s) with ((fun s => x j s - x' j s) s - (fun s => x j s - x' j s) t0)
+      by (cbv beta; rewrite (E0 j); ring).
     apply (power_bound (fun s => x j s - x' j s) (fun s => f j s (fun i => x i s) - f j s (fun i => x' i s))).
     + intros u Hu. apply (is_derive_minus (x j) (x' j)); [apply D|apply D']; auto.
     + intros u Hu. replace (M * L ^ S n * Rabs (u - t0) ^ n / INR (fact n))
@@ -124,8 +132,11 @@ assert (G : forall n s, segment t0 t s -> forall i, Rabs (x i s - x' i s) <= M *
 apply Rminus_diag_uniq, Rabs_eq_0, Rle_antisym; [|apply Rabs_pos].
 assert (Lim0 := ex_series_lim_0 _ (exp_series_tail (L * Rabs (t - t0)))).
 assert (B : segment t0 t t) by (unfold segment; split; [apply Rmin_r|apply Rmax_r]).
-apply (is_lim_seq_le (fun _ => Rabs (x i t - x' i t)) (fun n => M * ((L * Rabs (t - t0)) ^ n / INR (fact n))) (Rabs (x i t - x' i t)) 0).
-- intros n. rewrite Rpow_mult_distr. replace (M * (L ^ n * Rabs (t - t0) ^ n / INR (fact n))) with (M * L ^ n * Rabs (t - t0) ^ n / INR (fact n)) by (unfold Rdiv; ring).
+apply (is_lim_seq_le (fun _ => Rabs (x i t - x' i t)) (fun n => M * ((L * Rabs (t - t0)) ^ n / INR (fact n)))
+  (Rabs (x i t - x' i t)) 0).
+- intros n. rewrite Rpow_mult_distr.
+  replace (M * (L ^ n * Rabs (t - t0) ^ n / INR (fact n))) with (M * L ^ n * Rabs (t - t0) ^ n / INR (fact n))
+    by (unfold Rdiv; ring).
   apply G, B.
 - apply is_lim_seq_const.
 - replace 0 with (M * 0) by ring. apply (is_lim_seq_scal_l _ M 0), Lim0.
@@ -146,7 +157,9 @@ Proof.
 intros Hc i t. simpl. eapply is_derive_val.
 - apply (is_derive_plus (fun _ => x0 i)). apply (is_derive_const (x0 i)).
   apply (is_derive_RInt (fun s => f i s (fun j => iterate n j s)) _ t0).
-  + apply filter_forall. intros u. apply (RInt_correct (V := R_CompleteNormedModule)), (ex_RInt_continuous (V := R_CompleteNormedModule)). intros s _. apply f_continuous, Hc.
+  + apply filter_forall. intros u.
+    apply (RInt_correct (V := R_CompleteNormedModule)), (ex_RInt_continuous (V := R_CompleteNormedModule)). intros s _.
+    apply f_continuous, Hc.
   + apply f_continuous, Hc.
 - apply plus_zero_l.
 Qed.
@@ -209,7 +222,8 @@ assert (Step : forall k i t, Rabs (t - t0) <= r -> Rabs (iterate (S k) i t - ite
   assert (H1 : 1 <= INR (S k)) by (rewrite S_INR; generalize (pos_INR k); lra).
   replace (M * L ^ k * Rabs (t - t0) ^ S k / (INR (S k) * INR (fact k)))
     with (M * L ^ k / INR (fact k) * (Rabs (t - t0) ^ S k * / INR (S k))) by (field; lra).
-  replace (M * r * (L ^ k * r ^ k / INR (fact k))) with (M * L ^ k / INR (fact k) * (r ^ S k * 1)) by (simpl; field; lra).
+  replace (M * r * (L ^ k * r ^ k / INR (fact k))) with (M * L ^ k / INR (fact k) * (r ^ S k * 1))
+    by (simpl; field; lra).
   apply Rmult_le_compat_l.
   - apply Rmult_le_pos. apply Rmult_le_pos; auto. apply pow_le, HL. apply Rlt_le, Rinv_0_lt_compat, Hf.
   - apply Rmult_le_compat. apply pow_le, Rabs_pos. apply Rlt_le, Rinv_0_lt_compat, Hk.
@@ -248,7 +262,8 @@ apply Lim_seq_correct' in XL. fold (solution i t) in XL.
 apply (is_lim_seq_le_loc (fun m => Rabs (iterate (S m) i t - iterate (S n) i t)) (fun _ => rest n)
   (Rabs (solution i t - iterate (S n) i t)) (rest n)).
 - exists n. intros m Hm. apply HC; auto.
-- apply (is_lim_seq_abs _ (solution i t - iterate (S n) i t)). apply is_lim_seq_minus'. exact XL. apply is_lim_seq_const.
+- apply (is_lim_seq_abs _ (solution i t - iterate (S n) i t)). apply is_lim_seq_minus'. exact XL.
+  apply is_lim_seq_const.
 - apply is_lim_seq_const.
 Qed.
 
@@ -265,7 +280,8 @@ assert (Shift : forall s, Lim_seq (fun n => fn n s) = Lim_seq (fun n => iterate 
 { intros s. exact (Lim_seq_incr_1 (fun n => iterate (S n) i s)). }
 assert (Dfn : forall n s, Derive (fn n) s = f i s (fun j => iterate (S n) j s)).
 { intros n s. apply is_derive_unique, iterate_derive. }
-assert (Rate : forall n s, D s -> Rabs (f i s (fun j => iterate (S n) j s) - f i s (fun j => solution j s)) <= L * rest n).
+assert (Rate : forall n s, D s -> Rabs (f i s (fun j => iterate (S n) j s) - f i s (fun j => solution j s))
+  <= L * rest n).
 { intros n s Hs. apply Hlip. apply DR, Hs. intros j. rewrite Rabs_minus_sym. apply HL, DR, Hs. }
 assert (RateLim : is_lim_seq (fun n => L * rest n) 0).
 { replace (Finite 0) with (Finite (L * 0)) by (f_equal; ring). apply (is_lim_seq_scal_l rest L 0), Hrest. }

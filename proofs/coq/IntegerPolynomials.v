@@ -1,7 +1,7 @@
 (** * Integer b: the polynomials
 
-    Section 4 of proofs/proofs/count_law.md. [Pn n] is defined by the three-term recurrence; Pn' = -n P_(n-1), the equation, the values at 0,
-    and the zeros by the same two steps as for non-integer b. *)
+    Section 4 of proofs/proofs/count_law.md. [Pn n] is defined by the three-term recurrence; Pn' = -n P_(n-1), the
+    equation, the values at 0, and the zeros by the same two steps as for non-integer b. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -45,7 +45,8 @@ induction n as [|n (I1 & I2 & I3)].
   apply (is_derive_ext (fun t => - t * Pn (S (S (S n))) t + (INR (S n) + 2) * (INR (S n) + 1) * Pn (S n) t)).
   { intros u. symmetry. apply Pn_rec. }
   evar_last.
-  + apply (is_derive_plus (fun t => - t * Pn (S (S (S n))) t) (fun t => (INR (S n) + 2) * (INR (S n) + 1) * Pn (S n) t)).
+  + apply (is_derive_plus (fun t => - t * Pn (S (S (S n))) t) (fun t => (INR (S n) + 2) * (INR (S n) + 1) * Pn (S n)
+      t)).
     * apply (is_derive_mult_R (fun t => - t) (Pn (S (S (S n)))) t (-1)).
       auto_derive; auto; ring. apply I3.
     * apply (is_derive_scal (Pn (S n))). apply I1.

@@ -1,10 +1,11 @@
 (** * The second order at t -> -oo
 
-    A family f_0, f_1, ... with f_k' = f_(k+1) and the moment recurrence of the integrals int r^(s+k) e^(rt - r^3/3 + h) dr at the scale eta
-    (eta = 0: those of Theta). For s + k > -1, where the integrals converge, f_k(-x) = Gamma(s+k+1) x^-(s+k+1) - Gamma(s+k+4)/3 x^-(s+k+4)
-    up to O(x^-(s+k+5)); the recurrence carries this to every index. The two terms do not depend on eta. So two families with the same s, at two
-    scales, differ by O(x^-(s+k+5)), and an inequality between them for s + k > -1 goes down to s + k > -5: the difference
-    has a positive derivative, and tends to 0 as t -> -oo. *)
+    A family f_0, f_1, ... with f_k' = f_(k+1) and the moment recurrence of the integrals int r^(s+k) e^(rt - r^3/3 + h)
+    dr at the scale eta (eta = 0: those of Theta). For s + k > -1, where the integrals converge, f_k(-x) = Gamma(s+k+1)
+    x^-(s+k+1) - Gamma(s+k+4)/3 x^-(s+k+4) up to O(x^-(s+k+5)); the recurrence carries this to every index. The two
+    terms do not depend on eta. So two families with the same s, at two scales, differ by O(x^-(s+k+5)), and an
+    inequality between them for s + k > -1 goes down to s + k > -5: the difference has a positive derivative, and tends
+    to 0 as t -> -oo. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -128,11 +129,13 @@ Definition left_rest (s : R) (f : R -> R) : Prop :=
 
 (** It holds for an integral with the weight e^g, if e^g = 1 - r^3/3 up to A r^4 + B r^6. *)
 Lemma left_rest_integral s (f g : R -> R) A B : -1 < s ->
-  (forall x, 0 < x -> is_RInt_gen (fun r => Rpower r s * exp (g r + r * - x)) (at_right 0) (Rbar_locally p_infty) (f (- x))) ->
+  (forall x, 0 < x -> is_RInt_gen (fun r => Rpower r s * exp (g r + r * - x)) (at_right 0) (Rbar_locally p_infty)
+    (f (- x))) ->
   (forall r, 0 < r -> 0 <= exp (g r) - 1 + r ^ 3 / 3 <= A * r ^ 4 + B * r ^ 6) -> left_rest s f.
 Proof.
 intros Hs Hf Hg.
-apply (small_ext (s + 5) (fun x => f (- x) - (Gamma (s + 1) * Rpower x (- (s + 1)) - Gamma (s + 4) / 3 * Rpower x (- (s + 4))))).
+apply (small_ext (s + 5) (fun x => f (- x) - (Gamma (s + 1) * Rpower x (- (s + 1)) - Gamma (s + 4) / 3 * Rpower x
+  (- (s + 4))))).
 { reflexivity. }
 exists (Rabs A * Gamma (s + 5) + Rabs B * Gamma (s + 7)). intros x Hx.
 assert (Hx0 : 0 < x) by lra.
@@ -154,7 +157,8 @@ assert (K : forall r, 0 < r ->
   set (P := Rpower r s). assert (HP : 0 < P) by apply exp_pos.
   set (X := exp (- (x * r))). assert (HX : 0 < X) by apply exp_pos.
   replace (P * (exp (g r) * X) - P * X + / 3 * (r ^ 3 * P * X)) with (P * X * (exp (g r) - 1 + r ^ 3 / 3)) by field.
-  replace (Rabs A * (r ^ 4 * P * X) + Rabs B * (r ^ 6 * P * X)) with (P * X * (Rabs A * r ^ 4 + Rabs B * r ^ 6)) by ring.
+  replace (Rabs A * (r ^ 4 * P * X) + Rabs B * (r ^ 6 * P * X)) with (P * X * (Rabs A * r ^ 4 + Rabs B * r ^ 6))
+    by ring.
   assert (HPX : 0 < P * X) by (apply Rmult_lt_0_compat; auto).
   assert (A * r ^ 4 <= Rabs A * r ^ 4) by (apply Rmult_le_compat_r; [apply pow_le; lra|apply Rle_abs]).
   assert (B * r ^ 6 <= Rabs B * r ^ 6) by (apply Rmult_le_compat_r; [apply pow_le; lra|apply Rle_abs]).
@@ -182,7 +186,8 @@ Lemma left_rest_step s eta (f0 f1 f2 f3 f4 : R -> R) : ok s ->
   left_rest (s + 1) f1 -> left_rest (s + 2) f2 -> left_rest (s + 3) f3 -> left_rest (s + 4) f4 -> left_rest s f0.
 Proof.
 intros Hs Hrec H1 H2 H3 H4.
-assert (N1 := Hs 0%nat). assert (N2 := Hs 1%nat). assert (N3 := Hs 2%nat). assert (N4 := Hs 3%nat). assert (N5 := Hs 4%nat).
+assert (N1 := Hs 0%nat). assert (N2 := Hs 1%nat). assert (N3 := Hs 2%nat). assert (N4 := Hs 3%nat).
+assert (N5 := Hs 4%nat).
 simpl in N1, N2, N3, N4, N5.
 unfold left_rest in *.
 set (r1 := fun x => f1 (- x) - _) in H1. set (r2 := fun x => f2 (- x) - _) in H2.
@@ -192,7 +197,8 @@ assert (S1 : small (s + 5) (fun x => x ^ 1 * r1 x)).
 assert (S1' : small (s + 5) r1).
 { apply (small_weaken _ 1). replace (s + 5 + INR 1) with (s + 1 + 5) by (simpl; ring). exact H1. }
 assert (S2 : small (s + 5) (fun x => x ^ 1 * r2 x)).
-{ apply small_mult. apply (small_weaken _ 1). replace (s + 5 + INR 1 + INR 1) with (s + 2 + 5) by (simpl; ring). exact H2. }
+{ apply small_mult. apply (small_weaken _ 1). replace (s + 5 + INR 1 + INR 1) with (s + 2 + 5) by (simpl; ring).
+  exact H2. }
 assert (S3 : small (s + 5) r3).
 { apply (small_weaken _ 3). replace (s + 5 + INR 3) with (s + 3 + 5) by (simpl; ring). exact H3. }
 assert (S4 : small (s + 5) r4).
@@ -203,10 +209,12 @@ assert (Q7 : small (s + 5) (fun x => Rpower x (- (s + 7)))).
 assert (Q8 : small (s + 5) (fun x => Rpower x (- (s + 8)))).
 { apply (small_weaken _ 3). replace (s + 5 + INR 3) with (s + 8) by (simpl; ring). apply small_power. }
 set (c5 := (s + 2) * eta * (Gamma (s + 5) / 3) - eta * (Gamma (s + 6) / 3) + eta / 2 * Gamma (s + 5)).
-assert (S := small_scal _ (/ (s + 1)) _ (small_plus _ _ _ (small_plus _ _ _ (small_plus _ _ _ S1 (small_scal _ (- ((s + 2) * eta)) _ S1'))
+assert (S := small_scal _ (/ (s + 1)) _
+  (small_plus _ _ _ (small_plus _ _ _ (small_plus _ _ _ S1 (small_scal _ (- ((s + 2) * eta)) _ S1'))
   (small_plus _ _ _ (small_scal _ eta _ S2) (small_plus _ _ _ S3 (small_scal _ (eta / 2) _ S4))))
   (small_plus _ _ _ (small_scal _ c5 _ Q5)
-    (small_plus _ _ _ (small_scal _ (- (Gamma (s + 7) / 3)) _ Q7) (small_scal _ (- (eta / 2 * (Gamma (s + 8) / 3))) _ Q8))))).
+    (small_plus _ _ _ (small_scal _ (- (Gamma (s + 7) / 3)) _ Q7) (small_scal _ (- (eta / 2 * (Gamma (s + 8) / 3)))
+      _ Q8))))).
 eapply small_ext; [|exact S]. clear S S1 S1' S2 S3 S4 Q5 Q7 Q8 H1 H2 H3 H4.
 intros x Hx. simpl. unfold r1, r2, r3, r4, c5.
 assert (R := Hrec (- x)).
@@ -225,7 +233,8 @@ rewrite (Rpower_split x (- (s + 5)) 3 (- (s + 8))) by (lra || (simpl; ring)).
 rewrite (Rpower_split x (- (s + 6)) 2 (- (s + 8))) by (lra || (simpl; ring)).
 rewrite (Rpower_split x (- (s + 7)) 1 (- (s + 8))) by (lra || (simpl; ring)).
 set (Y := Rpower x (- (s + 8))). clearbody Y.
-assert (F : f0 (- x) = / (s + 1) * (- ((s + 2) * eta + - x) * f1 (- x) + x * eta * f2 (- x) + f3 (- x) + eta / 2 * f4 (- x))).
+assert (F : f0 (- x) = / (s + 1) * (- ((s + 2) * eta + - x) * f1 (- x) + x * eta * f2 (- x) + f3 (- x) + eta / 2 * f4
+  (- x))).
 { apply (Rmult_eq_reg_l (s + 1)); [|lra]. rewrite <- Rmult_assoc, Rinv_r by lra. lra. }
 rewrite F. field. lra.
 Qed.
@@ -235,7 +244,8 @@ Qed.
 Definition family (eta s : R) (f : nat -> R -> R) : Prop :=
   (forall k t, is_derive (f k) t (f (S k) t)) /\
   (forall k t, let q := s + INR k in
-     (q + 1) * f k t + ((q + 2) * eta + t) * f (k + 1)%nat t + t * eta * f (k + 2)%nat t - f (k + 3)%nat t - eta / 2 * f (k + 4)%nat t = 0) /\
+     (q + 1) * f k t + ((q + 2) * eta + t) * f (k + 1)%nat t + t * eta * f (k + 2)%nat t - f (k + 3)%nat t - eta / 2 * f
+       (k + 4)%nat t = 0) /\
   (forall k, -1 < s + INR k -> left_rest (s + INR k) (f k)).
 
 Lemma family_left eta s f : ok s -> family eta s f -> forall k, left_rest (s + INR k) (f k).
@@ -248,7 +258,8 @@ assert (H : forall n k, -1 < s + INR k + INR n -> left_rest (s + INR k) (f k)).
     assert (L : forall j, (1 <= j)%nat -> left_rest (s + INR k + INR j) (f (k + j)%nat)).
     { intros j Hj. replace (s + INR k + INR j) with (s + INR (k + j)) by (rewrite plus_INR; ring).
       apply IH. rewrite plus_INR. apply (le_INR 1) in Hj. simpl in Hj. lra. }
-    assert (L1 := L 1%nat (le_n _)). assert (L2 := L 2%nat ltac:(lia)). assert (L3 := L 3%nat ltac:(lia)). assert (L4 := L 4%nat ltac:(lia)).
+    assert (L1 := L 1%nat (le_n _)). assert (L2 := L 2%nat ltac:(lia)). assert (L3 := L 3%nat ltac:(lia)).
+    assert (L4 := L 4%nat ltac:(lia)).
     apply (left_rest_step (s + INR k) eta (f k) (f (k + 1)%nat) (f (k + 2)%nat) (f (k + 3)%nat) (f (k + 4)%nat)).
     + apply ok_plus, Hs.
     + apply Hrec.
@@ -306,7 +317,8 @@ assert (G' : small (s + INR k + 1) (fun x => g k (- x) -
 { apply (small_weaken _ 4). replace (s + INR k + 1 + INR 4) with (s + INR k + 5) by (simpl; ring). exact G. }
 assert (P1 := small_scal _ (Gamma (s + INR k + 1)) _ (small_power (s + INR k + 1))).
 assert (P4 : small (s + INR k + 1) (fun x => - (Gamma (s + INR k + 4) / 3) * Rpower x (- (s + INR k + 4)))).
-{ apply small_scal, (small_weaken _ 3). replace (s + INR k + 1 + INR 3) with (s + INR k + 4) by (simpl; ring). apply small_power. }
+{ apply small_scal, (small_weaken _ 3). replace (s + INR k + 1 + INR 3) with (s + INR k + 4) by (simpl; ring).
+  apply small_power. }
 eapply small_ext; [|exact (small_plus _ _ _ G' (small_plus _ _ _ P1 P4))]. intros x _. simpl. ring.
 Qed.
 
@@ -331,7 +343,8 @@ apply (chain_nonnegative s (-5) (fun k t => c * g (k + 4)%nat t - (g k t - f k t
   + apply (is_derive_minus (g j) (f j)). apply Hg. apply Hf.
 - intros j Hj. replace (s + INR j - -5) with (s + INR j + 5) by ring.
   apply (small_minus _ (fun x => c * g (j + 4)%nat (- x))); [|apply difference_small].
-  apply small_scal. replace (s + INR j + 5) with (s + INR (j + 4) + 1) by (rewrite plus_INR; simpl; ring). apply left_small.
+  apply small_scal. replace (s + INR j + 5) with (s + INR (j + 4) + 1) by (rewrite plus_INR; simpl; ring).
+  apply left_small.
 - intros j u Hj. specialize (H j u Hj). lra.
 Qed.
 

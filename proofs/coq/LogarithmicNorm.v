@@ -1,11 +1,11 @@
 (** * Growth by the logarithmic norm
 
-    u' = A(t) u + d(t) as long as |u|_w <= R, where mu_w(A) <= k, k >= 0, and |d|_w <= delta. Then |u|_w <= e^(k t) (e0 + delta t)
-    if this bound is below R at the end ([logarithmic_growth]).
+    u' = A(t) u + d(t) as long as |u|_w <= R, where mu_w(A) <= k, k >= 0, and |d|_w <= delta. Then |u|_w <= e^(k t) (e0
+    + delta t) if this bound is below R at the end ([logarithmic_growth]).
 
-    Plan: with the larger bound phi(t) = e^(k t) (e0 + m + (delta + m) t), m > 0 small, |u|_w < phi holds at 0, and on a little
-    further from wherever it holds. At the first time where it fails some |u_i| = phi w_i; there w_i phi - |u_i| would be 0 with a positive
-    derivative, so it was negative before. At last m tends to 0. *)
+    Plan: with the larger bound phi(t) = e^(k t) (e0 + m + (delta + m) t), m > 0 small, |u|_w < phi holds at 0, and on a
+    little further from wherever it holds. At the first time where it fails some |u_i| = phi w_i; there w_i phi - |u_i|
+    would be 0 with a positive derivative, so it was negative before. At last m tends to 0. *)
 
 From Coq Require Import Reals Psatz Lra Lia List.
 From Coquelicot Require Import Coquelicot.
@@ -38,7 +38,8 @@ change (length (i :: r)) with (S (length r)). rewrite S_INR. simpl total. rewrit
 Qed.
 
 (** A term that is smaller by a known amount. *)
-Lemma total_le_but_one (l : list I) g g' i c : In i l -> (forall j, g j <= g' j) -> g i <= g' i - c -> total l g <= total l g' - c.
+Lemma total_le_but_one (l : list I) g g' i c : In i l -> (forall j, g j <= g' j) -> g i <= g' i - c ->
+  total l g <= total l g' - c.
 Proof.
 intros Hi H Hc. induction l as [|j r IH]; [destruct Hi|]. simpl.
 destruct Hi as [->|Hi].
@@ -74,7 +75,8 @@ Lemma phi_derive t : is_derive phi t (k * phi t + exp (k * t) * (delta + m)).
 Proof. unfold phi. auto_derive; auto. ring. Qed.
 
 Lemma phi_pos t : 0 <= t -> 0 < phi t.
-Proof. intros Ht. apply Rmult_lt_0_compat. apply exp_pos. assert (0 <= (delta + m) * t) by (apply Rmult_le_pos; lra). lra. Qed.
+Proof. intros Ht. apply Rmult_lt_0_compat. apply exp_pos. assert (0 <= (delta + m) * t) by (apply Rmult_le_pos; lra).
+lra. Qed.
 
 Lemma phi_le t : 0 <= t <= T -> phi t <= phi T.
 Proof.
@@ -97,7 +99,8 @@ intros Ht. apply (is_derive_minus (fun t => w i * phi t) (fun t => s * u i t)).
 Qed.
 
 (** Where the bound is reached it grows faster. *)
-Lemma margin_inward s i t : s = 1 \/ s = -1 -> 0 <= t <= T -> norm_at_most w (fun i => u i t) (phi t) -> margin s i t = 0 ->
+Lemma margin_inward s i t : s = 1 \/ s = -1 -> 0 <= t <= T -> norm_at_most w (fun i => u i t) (phi t) ->
+  margin s i t = 0 ->
   0 < w i * (k * phi t + exp (k * t) * (delta + m)) - s * u' i t.
 Proof.
 intros Hs Ht B E.
@@ -162,7 +165,8 @@ apply (real_induction (fun t => t <= T -> forall s i, s = 1 \/ s = -1 -> 0 < mar
     intros t' Ht'. apply Rlt_le, H; auto; lra. }
   intros s i Hs. destruct (Rle_lt_or_eq_dec _ _ (G s i Hs)) as [|E]; auto. exfalso.
   assert (B : norm_at_most w (fun i => u i t) (phi t)).
-  { intros j. assert (G1 := G 1 j (or_introl eq_refl)). assert (G2 := G (-1) j (or_intror eq_refl)). unfold margin in G1, G2.
+  { intros j. assert (G1 := G 1 j (or_introl eq_refl)). assert (G2 := G (-1) j (or_intror eq_refl)).
+    unfold margin in G1, G2.
     apply Rabs_le. lra. }
   destruct (derive_pos_before (margin s i) t _ (margin_derive s i t ltac:(lra)) (eq_sym E)) as (d & Hd & N).
   { apply margin_inward; auto. lra. }
@@ -187,10 +191,12 @@ apply le_epsilon. intros eta Heta.
 set (m := Rmin ((R0 - exp (k * T) * (e0 + delta * T)) / G) (eta / w i / G)).
 assert (Hm : 0 < m) by (apply Rmin_pos; repeat apply Rdiv_lt_0_compat; lra).
 assert (M1 : m * G <= R0 - exp (k * T) * (e0 + delta * T)).
-{ apply Rmult_le_reg_r with (/ G). apply Rinv_0_lt_compat, HG. rewrite Rmult_assoc, Rinv_r, Rmult_1_r by lra. apply Rmin_l. }
+{ apply Rmult_le_reg_r with (/ G). apply Rinv_0_lt_compat, HG. rewrite Rmult_assoc, Rinv_r, Rmult_1_r by lra.
+  apply Rmin_l. }
 assert (M2 : m * G * w i <= eta).
 { apply Rmult_le_reg_r with (/ w i). apply Rinv_0_lt_compat, W. rewrite Rmult_assoc, Rinv_r, Rmult_1_r by lra.
-  apply Rmult_le_reg_r with (/ G). apply Rinv_0_lt_compat, HG. rewrite Rmult_assoc, Rinv_r, Rmult_1_r by lra. apply Rmin_r. }
+  apply Rmult_le_reg_r with (/ G). apply Rinv_0_lt_compat, HG. rewrite Rmult_assoc, Rinv_r, Rmult_1_r by lra.
+  apply Rmin_r. }
 assert (S : exp (k * T) * (e0 + m + (delta + m) * T) <= R0) by (unfold G in M1; lra).
 assert (B1 := stays_below m Hm He0 S t ltac:(lra) ltac:(lra) 1 i (or_introl eq_refl)).
 assert (B2 := stays_below m Hm He0 S t ltac:(lra) ltac:(lra) (-1) i (or_intror eq_refl)).

@@ -1,8 +1,8 @@
 (** * The monotone quantity Q = g' g'' + (b/2) g^2
 
-    Section 2 of proofs/proofs/count_law.md: for a solution g of g''' = t g' - b g, Q' = g''^2 + t g'^2. So Q does not decrease on
-    t >= 0, and at every zero c > 0 of Theta(., b), b > 0, Theta'(c) Theta''(c) > 0: it is enough
-    to have Q > 0 at one point of [0, c]. *)
+    Section 2 of proofs/proofs/count_law.md: for a solution g of g''' = t g' - b g, Q' = g''^2 + t g'^2. So Q does not
+    decrease on t >= 0, and at every zero c > 0 of Theta(., b), b > 0, Theta'(c) Theta''(c) > 0: it is enough to have Q
+    > 0 at one point of [0, c]. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.

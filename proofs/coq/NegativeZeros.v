@@ -1,7 +1,7 @@
 (** * t <= 0
 
-    Section 1 of proofs/proofs/count_law.md: on t <= 0 Theta(., b), b in (m - 1, m), is positive if m = 0 or 1 mod 3, and has exactly one
-    zero, simple, if m = 2 mod 3. Induction on m with Theta' = -b Theta(., b - 1). *)
+    Section 1 of proofs/proofs/count_law.md: on t <= 0 Theta(., b), b in (m - 1, m), is positive if m = 0 or 1 mod 3,
+    and has exactly one zero, simple, if m = 2 mod 3. Induction on m with Theta' = -b Theta(., b - 1). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -102,7 +102,8 @@ destruct m as [|m].
   destruct (cell_S _ _ Hb) as [Hb1 Hb0].
   assert (S0 := sign_0 (S m) b Hb).
   destruct (IH m ltac:(lia) (b - 1) Hb1) as [I0 I1].
-  destruct (sg_next m) as [[A B]|[[A B]|[A B]]]; rewrite B in S0 |- *; [split; [intros _|lra]|split; [lra|intros _]|split; [intros _|lra]].
+  destruct (sg_next m) as [[A B]|[[A B]|[A B]]]; rewrite B in S0 |- *;
+    [split; [intros _|lra]|split; [lra|intros _]|split; [intros _|lra]].
   + apply step_0; auto. lra.
   + destruct m as [|m]; [simpl in B; lra|].
     assert (Hb2 : cell m (b - 2)) by (unfold cell in *; rewrite !S_INR in Hb; lra).

@@ -1,8 +1,8 @@
 (** * A linear system that keeps the orthant
 
-    x' = B(t) x + g(t) with off-diagonal entries of B and entries of g that are >= 0 keeps x >= 0 ([orthant_kept]). What is used of it: where all
-    components are >= -m and one is -m, its derivative is >= -K m. For each delta > 0 then x > - delta e^((K+1)(t - t0)): at a first time of
-    equality the derivative of the sum would be positive. *)
+    x' = B(t) x + g(t) with off-diagonal entries of B and entries of g that are >= 0 keeps x >= 0 ([orthant_kept]). What
+    is used of it: where all components are >= -m and one is -m, its derivative is >= -K m. For each delta > 0 then x >
+    - delta e^((K+1)(t - t0)): at a first time of equality the derivative of the sum would be positive. *)
 
 From Coq Require Import Reals Psatz Lra Lia List.
 From Coquelicot Require Import Coquelicot.
@@ -13,7 +13,8 @@ Open Scope R_scope.
 (** A component and eps times its derivative. *)
 Definition component : Type := ((R -> R) * (R -> R))%type.
 
-Lemma derive_pos_before (f : R -> R) t l : is_derive f t l -> f t = 0 -> 0 < l -> exists d, 0 < d /\ forall s, t - d < s < t -> f s < 0.
+Lemma derive_pos_before (f : R -> R) t l : is_derive f t l -> f t = 0 -> 0 < l -> exists d, 0 < d /\ forall s,
+  t - d < s < t -> f s < 0.
 Proof.
 intros D E Hl. apply is_derive_Reals in D. destruct (D l Hl) as (d & Hd).
 exists d. split. apply cond_pos. intros s Hs.
@@ -39,20 +40,25 @@ Proof.
 intros Hdelta.
 set (m := fun t => delta * exp ((K + 1) / eps * (t - t0))).
 assert (M0 : forall t, 0 < m t) by (intros t; apply Rmult_lt_0_compat; [auto|apply exp_pos]).
-assert (Dm : forall t, is_derive m t ((K + 1) / eps * m t)) by (intros t; unfold m; auto_derive; auto; unfold Rminus, Rdiv; ring).
-assert (Dg : forall x x' t, In (x, x') l -> t0 <= t <= t1 -> is_derive (fun s => x s + m s) t (x' t / eps + (K + 1) / eps * m t)).
+assert (Dm : forall t, is_derive m t ((K + 1) / eps * m t)) by (intros t; unfold m; auto_derive; auto; unfold Rminus,
+  Rdiv; ring).
+assert (Dg : forall x x' t, In (x, x') l -> t0 <= t <= t1 -> is_derive (fun s => x s + m s) t
+  (x' t / eps + (K + 1) / eps * m t)).
 { intros x x' t Hx Ht. apply (is_derive_plus x m); auto. }
 apply (real_induction (fun t => t <= t1 -> forall x x', In (x, x') l -> 0 < x t + m t) t0).
 - intros _ x x' Hx. specialize (Hstart x x' Hx). specialize (M0 t0). lra.
 - intros t Ht HP. destruct (Rlt_dec t t1) as [Hlt|Hlt].
-  2: { exists 1. split. lra. intros s Hs Hs1 x x' Hx. replace s with t by lra. apply (HP t ltac:(lra) ltac:(lra) x x' Hx). }
+  2: { exists 1. split. lra. intros s Hs Hs1 x x' Hx. replace s with t by lra.
+       apply (HP t ltac:(lra) ltac:(lra) x x' Hx). }
   assert (Q : exists d, 0 < d /\ forall s, t <= s < t + d -> forall x x', In (x, x') l -> 0 < x s + m s).
   { assert (HPt : forall x x', In (x, x') l -> 0 < x t + m t) by (intros; eapply HP; eauto; lra).
-    assert (Xt : forall x x', In (x, x') l -> ex_derive (fun s => x s + m s) t) by (intros; eexists; apply Dg with (x' := x'); auto; lra).
+    assert (Xt : forall x x', In (x, x') l -> ex_derive (fun s => x s + m s) t)
+      by (intros; eexists; apply Dg with (x' := x'); auto; lra).
     clear - HPt Xt. induction l as [|[x x'] r IH].
     - exists 1. split. lra. intros s _ x x' [].
     - destruct IH as (d & Hd & H). { intros; eapply HPt; right; eauto. } { intros; eapply Xt; right; eauto. }
-      destruct (continuous_pos (fun s => x s + m s) t) as [e He]. { eapply Xt; left; eauto. } { eapply HPt; left; eauto. }
+      destruct (continuous_pos (fun s => x s + m s) t) as [e He].
+      { eapply Xt; left; eauto. } { eapply HPt; left; eauto. }
       exists (Rmin d e). split. apply Rmin_pos; [exact Hd|apply cond_pos].
       assert (M1 := Rmin_l d e). assert (M2 := Rmin_r d e).
       intros s Hs w w' [E|Hw].

@@ -1,7 +1,7 @@
 (** * The closed sum of the polynomials P_n
 
-    The sum of [Statement.Poly] and the recurrence of [Pn] have the same derivative, -n times the one before, and the same
-    value at 0; so they agree, by induction. *)
+    The sum of [Statement.Poly] and the recurrence of [Pn] have the same derivative, -n times the one before, and the
+    same value at 0; so they agree, by induction. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -49,7 +49,8 @@ assert (EP : forall N, (S n / 3 = N)%nat -> forall u, sum_f_R0 (fun j => poly_te
 destruct (sp_cases n) as [(_ & _ & C & E)|[(_ & _ & C & E)|(_ & _ & C & E)]];
   apply (is_derive_ext _ _ _ _ (EP _ E)); [exact S0|exact S0|].
 replace (- INR (S n) * Poly n t) with (- INR (S n) * Poly n t + 0) by ring.
-apply (is_derive_plus (fun t => sum_f_R0 (fun j => poly_term (S n) j t) (n / 3)) (poly_term (S n) (S (n / 3))) t _ 0 S0).
+apply (is_derive_plus (fun t => sum_f_R0 (fun j => poly_term (S n) j t) (n / 3)) (poly_term (S n) (S (n / 3)))
+  t _ 0 S0).
 assert (Hn : (S n - 3 * S (n / 3) = 0)%nat).
 { assert (H3 : (S n = 3 * (S n / 3) + S n mod 3)%nat) by (apply Nat.div_mod; lia). lia. }
 apply (is_derive_ext (fun _ => poly_term (S n) (S (n / 3)) 0)).
@@ -87,7 +88,8 @@ induction q as [|q IH].
   rewrite !pow_1_even.
   replace (3 * S q)%nat with (S (S (S (3 * q)))) by lia.
   change (fact (S (S (S (3 * q))))) with (S (S (S (3 * q))) * (S (S (3 * q)) * (S (3 * q) * fact (3 * q))))%nat.
-  change (fact (S q)) with (S q * fact q)%nat. rewrite !mult_INR, !S_INR, !mult_INR. simpl (INR 3). simpl (fact 0). simpl (INR 1).
+  change (fact (S q)) with (S q * fact q)%nat. rewrite !mult_INR, !S_INR, !mult_INR. simpl (INR 3). simpl (fact 0).
+  simpl (INR 1).
   assert (H1 := INR_fact_neq_0 q). assert (H2 : 3 ^ q <> 0) by (apply pow_nonzero; lra). assert (H3 := pos_INR q).
   change (INR 0) with 0. simpl pow. field. repeat split; auto; lra.
 Qed.

@@ -1,7 +1,7 @@
 (** * t > 0
 
-    Section 3 of proofs/proofs/count_law.md: the pattern of Theta(., b) on t > 0, b in (m - 1, m), by induction on m: ceil(m/3) zeros, all
-    simple, interlacing with those of Theta(., b - 1). *)
+    Section 3 of proofs/proofs/count_law.md: the pattern of Theta(., b) on t > 0, b in (m - 1, m), by induction on m:
+    ceil(m/3) zeros, all simple, interlacing with those of Theta(., b - 1). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.

@@ -1,9 +1,10 @@
 (** * Functions with a power series of bounded norm
 
-    [norm_at_most r M f]: on |x| < r f is a power series a, and sum |a_n| r^n <= M. The bound is multiplicative; and it is kept by pointwise limits
-    ([norm_limit]), whatever the filter: the coefficients converge, one after the other, because
-    |f(x) - a_0 - ... - a_n x^n| <= M (|x|/r)^(n+1) for all functions of the family at once. So series, integrals with a parameter, improper
-    integrals and limits of iterations are power series as soon as the norms of what approximates them are bounded. *)
+    [norm_at_most r M f]: on |x| < r f is a power series a, and sum |a_n| r^n <= M. The bound is multiplicative; and it
+    is kept by pointwise limits ([norm_limit]), whatever the filter: the coefficients converge, one after the other,
+    because |f(x) - a_0 - ... - a_n x^n| <= M (|x|/r)^(n+1) for all functions of the family at once. So series,
+    integrals with a parameter, improper integrals and limits of iterations are power series as soon as the norms of
+    what approximates them are bounded. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -31,7 +32,8 @@ Lemma sum_first_nonneg u N : (forall n, 0 <= u n) -> 0 <= sum_first u N.
 Proof. intros H. induction N as [|N IH]; simpl. lra. specialize (H N). lra. Qed.
 
 Lemma sum_first_grow u N K : (forall n, 0 <= u n) -> sum_first u N <= sum_first u (N + K).
-Proof. intros H. induction K as [|K IH]. rewrite Nat.add_0_r. lra. rewrite Nat.add_succ_r. simpl. specialize (H (N + K)%nat). lra. Qed.
+Proof. intros H. induction K as [|K IH]. rewrite Nat.add_0_r. lra. rewrite Nat.add_succ_r. simpl.
+specialize (H (N + K)%nat). lra. Qed.
 
 Lemma sum_first_abs u N : Rabs (sum_first u N) <= sum_first (fun n => Rabs (u n)) N.
 Proof. induction N as [|N IH]; simpl. rewrite Rabs_R0. lra. eapply Rle_trans; [apply Rabs_triang|]. lra. Qed.
@@ -39,11 +41,15 @@ Proof. induction N as [|N IH]; simpl. rewrite Rabs_R0. lra. eapply Rle_trans; [a
 Lemma sum_first_sum_n u N : sum_n u N = sum_first u (S N).
 Proof. induction N as [|N IH]. rewrite sum_O. symmetry. apply Rplus_0_l. rewrite sum_Sn, IH. reflexivity. Qed.
 
-Lemma is_pseries_sum_first (a : nat -> R) (x s : R) : is_pseries a x s <-> is_lim_seq (fun N => sum_first (fun n => a n * x ^ n) N) s.
+Lemma is_pseries_sum_first (a : nat -> R) (x s : R) : is_pseries a x s <->
+  is_lim_seq (fun N => sum_first (fun n => a n * x ^ n) N) s.
 Proof.
-rewrite is_pseries_R. unfold is_series. rewrite (is_lim_seq_incr_1 (fun N => sum_first (fun n => a n * x ^ n) N)). split; intros H.
+rewrite is_pseries_R. unfold is_series. rewrite (is_lim_seq_incr_1 (fun N => sum_first (fun n => a n * x ^ n) N)).
+split; intros H.
 - apply (is_lim_seq_ext (sum_n (fun n => a n * x ^ n))); [|exact H]. intros N. apply sum_first_sum_n.
-- change (is_lim_seq (sum_n (fun n => a n * x ^ n)) s). apply (is_lim_seq_ext (fun N => sum_first (fun n => a n * x ^ n) (S N))); [|exact H]. intros N. symmetry. apply sum_first_sum_n.
+- change (is_lim_seq (sum_n (fun n => a n * x ^ n)) s).
+  apply (is_lim_seq_ext (fun N => sum_first (fun n => a n * x ^ n) (S N))); [|exact H]. intros N. symmetry.
+  apply sum_first_sum_n.
 Qed.
 
 Lemma pow_quotient x r n : (x / r) ^ n = x ^ n / r ^ n.
@@ -65,7 +71,8 @@ Lemma norm_nonneg : 0 <= M.
 Proof. exact (HM 0). Qed.
 
 Lemma term_bound n : Rabs (a n) * r ^ n <= M.
-Proof. assert (H := HM (S n)). simpl in H. assert (N := sum_first_nonneg term n term_nonneg). unfold term in N. lra. Qed.
+Proof. assert (H := HM (S n)). simpl in H. assert (N := sum_first_nonneg term n term_nonneg). unfold term in N. lra.
+Qed.
 
 Lemma coefficient_bound n : Rabs (a n) <= M / r ^ n.
 Proof.
@@ -76,7 +83,8 @@ Qed.
 Lemma radius_at_least x : Rabs x < r -> Rbar_lt (Rabs x) (CV_radius a).
 Proof.
 intros Hx. apply Rbar_lt_le_trans with r; [exact Hx|].
-apply (proj1 (CV_radius_bounded a)). exists M. intros n. rewrite Rabs_mult, (Rabs_pos_eq (r ^ n)) by (apply pow_le; lra). apply term_bound.
+apply (proj1 (CV_radius_bounded a)). exists M. intros n.
+rewrite Rabs_mult, (Rabs_pos_eq (r ^ n)) by (apply pow_le; lra). apply term_bound.
 Qed.
 
 Lemma partial_tail x N K : Rabs x <= r ->
@@ -87,13 +95,15 @@ intros Hx. induction K as [|K IH].
 - rewrite Nat.add_0_r. unfold Rminus. rewrite !Rplus_opp_r, Rabs_R0. lra.
 - rewrite Nat.add_succ_r. simpl.
   set (s := sum_first (fun n => a n * x ^ n)) in *.
-  replace (s (N + K)%nat + a (N + K)%nat * x ^ (N + K) - s N) with (s (N + K)%nat - s N + a (N + K)%nat * x ^ (N + K)) by ring.
+  replace (s (N + K)%nat + a (N + K)%nat * x ^ (N + K) - s N) with (s (N + K)%nat - s N + a (N + K)%nat * x ^ (N + K))
+    by ring.
   eapply Rle_trans; [apply Rabs_triang|].
   replace ((Rabs x / r) ^ N * (sum_first term (N + K) + term (N + K) - sum_first term N))
     with ((Rabs x / r) ^ N * (sum_first term (N + K) - sum_first term N) + (Rabs x / r) ^ N * term (N + K)) by ring.
   apply Rplus_le_compat; [exact IH|].
   assert (Q : 0 <= Rabs x / r). { apply Rmult_le_pos. apply Rabs_pos. apply Rlt_le, Rinv_0_lt_compat, Hr. }
-  assert (Q1 : Rabs x / r <= 1). { apply Rmult_le_reg_r with r; auto. replace (Rabs x / r * r) with (Rabs x) by (field; lra). lra. }
+  assert (Q1 : Rabs x / r <= 1).
+  { apply Rmult_le_reg_r with r; auto. replace (Rabs x / r * r) with (Rabs x) by (field; lra). lra. }
   rewrite Rabs_mult, <- RPow_abs. unfold term.
   replace (Rabs x ^ (N + K)) with ((Rabs x / r) ^ N * (Rabs x / r) ^ K * r ^ (N + K)).
   2: { rewrite !pow_add, !pow_quotient. field. split; apply pow_nonzero; lra. }
@@ -125,7 +135,8 @@ End Series.
 Definition taylor (f : R -> R) (n : nat) : R := Derive_n f n 0 / INR (fact n).
 
 Lemma taylor_coefficients r M f : 0 < r -> norm_at_most r M f ->
-  (forall N, sum_first (fun n => Rabs (taylor f n) * r ^ n) N <= M) /\ forall x, Rabs x < r -> is_pseries (taylor f) x (f x).
+  (forall N, sum_first (fun n => Rabs (taylor f n) * r ^ n) N <= M) /\ forall x, Rabs x < r ->
+    is_pseries (taylor f) x (f x).
 Proof.
 intros Hr (a & Ha & Hf).
 assert (E : forall n, taylor f n = a n).
@@ -145,7 +156,8 @@ Qed.
 Lemma norm_value r M f x : 0 < r -> norm_at_most r M f -> Rabs x < r -> Rabs (f x) <= M.
 Proof.
 intros Hr (a & Ha & Hf) Hx.
-assert (T := series_tail a r M Hr Ha x (f x) 0 ltac:(lra) (Hf x Hx)). simpl in T. rewrite Rminus_0_r, Rmult_1_r in T. exact T.
+assert (T := series_tail a r M Hr Ha x (f x) 0 ltac:(lra) (Hf x Hx)). simpl in T. rewrite Rminus_0_r, Rmult_1_r in T.
+exact T.
 Qed.
 
 Lemma norm_bound_nonneg r M f : norm_at_most r M f -> 0 <= M.
@@ -160,7 +172,8 @@ Proof. intros H (a & Ha & Hf). exists a. split; auto. intros N. eapply Rle_trans
 Lemma norm_smaller r r' M f : 0 < r' <= r -> norm_at_most r M f -> norm_at_most r' M f.
 Proof.
 intros Hr (a & Ha & Hf). exists a. split.
-- intros N. eapply Rle_trans; [|apply (Ha N)]. apply sum_first_le. intros n. apply Rmult_le_compat_l. apply Rabs_pos. apply pow_incr. lra.
+- intros N. eapply Rle_trans; [|apply (Ha N)]. apply sum_first_le. intros n. apply Rmult_le_compat_l. apply Rabs_pos.
+  apply pow_incr. lra.
 - intros x Hx. apply Hf. lra.
 Qed.
 
@@ -174,16 +187,20 @@ exists (fun n => match n with O => c | _ => 0 end). split.
   + simpl. split. lra. intros. ring.
   + specialize (I2 N eq_refl). change (sum_first ?u (S (S N))) with (sum_first u (S N) + u (S N)). rewrite I2, Rabs_R0.
     split. lra. intros; ring.
-- intros x _. apply is_pseries_sum_first. apply is_lim_seq_incr_1. apply (is_lim_seq_ext (fun _ => c)); [|apply is_lim_seq_const].
-  induction n as [|n IH]. simpl; ring. change (c = sum_first (fun n => match n with O => c | _ => 0 end * x ^ n) (S n) + 0 * x ^ S n). rewrite <- IH. ring.
+- intros x _. apply is_pseries_sum_first. apply is_lim_seq_incr_1.
+  apply (is_lim_seq_ext (fun _ => c)); [|apply is_lim_seq_const].
+  induction n as [|n IH]. simpl; ring.
+  change (c = sum_first (fun n => match n with O => c | _ => 0 end * x ^ n) (S n) + 0 * x ^ S n). rewrite <- IH. ring.
 Qed.
 
-Lemma norm_plus r M N f g : norm_at_most r M f -> norm_at_most r N g -> 0 < r -> norm_at_most r (M + N) (fun x => f x + g x).
+Lemma norm_plus r M N f g : norm_at_most r M f -> norm_at_most r N g -> 0 < r -> norm_at_most r (M + N) (fun x =>
+  f x + g x).
 Proof.
 intros (a & Ha & Hf) (b & Hb & Hg) Hr. exists (PS_plus a b). split.
 - intros K. specialize (Ha K). specialize (Hb K).
   apply Rle_trans with (sum_first (fun n => Rabs (a n) * r ^ n + Rabs (b n) * r ^ n) K).
-  + apply sum_first_le. intros n. unfold PS_plus. rewrite <- Rmult_plus_distr_r. apply Rmult_le_compat_r. apply pow_le; lra. apply Rabs_triang.
+  + apply sum_first_le. intros n. unfold PS_plus. rewrite <- Rmult_plus_distr_r. apply Rmult_le_compat_r.
+    apply pow_le; lra. apply Rabs_triang.
   + rewrite sum_first_plus. lra.
 - intros x Hx. apply (is_pseries_plus a b); auto.
 Qed.
@@ -218,26 +235,32 @@ Lemma triangle u v : (forall n, 0 <= u n) -> (forall n, 0 <= v n) -> forall N,
   sum_first (fun n => sum_f_R0 (fun k => u k * v (n - k)%nat) n) N <= sum_first u N * sum_first v N.
 Proof.
 intros Hu Hv.
-assert (E : forall N, sum_first (fun n => sum_f_R0 (fun k => u k * v (n - k)%nat) n) N = sum_first (fun k => u k * sum_first v (N - k)) N).
+assert (E : forall N, sum_first (fun n => sum_f_R0 (fun k => u k * v (n - k)%nat) n) N = sum_first (fun k =>
+  u k * sum_first v (N - k)) N).
 { induction N as [|N IH]; [reflexivity|]. cbn [sum_first]. rewrite IH, sum_first_sum_f. cbn [sum_first].
   replace (S N - N)%nat with 1%nat by lia. replace (N - N)%nat with 0%nat by lia.
   rewrite <- Rplus_assoc, <- sum_first_plus. simpl (sum_first v 1). rewrite Rplus_0_l. f_equal.
-  assert (X : forall K, (K <= N)%nat -> sum_first (fun n => u n * sum_first v (N - n) + u n * v (N - n)%nat) K = sum_first (fun k => u k * sum_first v (S N - k)) K).
+  assert (X : forall K, (K <= N)%nat -> sum_first (fun n => u n * sum_first v (N - n) + u n * v (N - n)%nat) K
+    = sum_first (fun k => u k * sum_first v (S N - k)) K).
   { induction K as [|K IHK]; intros HK; [reflexivity|]. cbn [sum_first]. rewrite IHK by lia. f_equal.
     replace (S N - K)%nat with (S (N - K)) by lia. simpl. ring. }
   apply X. lia. }
 intros N. rewrite E.
-assert (X : forall K, (K <= N)%nat -> sum_first (fun k => u k * sum_first v (N - k)) K <= sum_first u K * sum_first v N).
-{ induction K as [|K IHK]; intros HK; simpl. lra. specialize (IHK ltac:(lia)). rewrite Rmult_plus_distr_r. apply Rplus_le_compat; auto.
+assert (X : forall K, (K <= N)%nat -> sum_first (fun k => u k * sum_first v (N - k)) K
+  <= sum_first u K * sum_first v N).
+{ induction K as [|K IHK]; intros HK; simpl. lra. specialize (IHK ltac:(lia)). rewrite Rmult_plus_distr_r.
+  apply Rplus_le_compat; auto.
   apply Rmult_le_compat_l; auto. replace N with (N - K + K)%nat at 2 by lia. apply sum_first_grow, Hv. }
 apply X. lia.
 Qed.
 
-Lemma norm_mult r M N f g : 0 < r -> norm_at_most r M f -> norm_at_most r N g -> norm_at_most r (M * N) (fun x => f x * g x).
+Lemma norm_mult r M N f g : 0 < r -> norm_at_most r M f -> norm_at_most r N g -> norm_at_most r (M * N) (fun x =>
+  f x * g x).
 Proof.
 intros Hr (a & Ha & Hf) (b & Hb & Hg). exists (PS_mult a b). split.
 - intros K.
-  apply Rle_trans with (sum_first (fun n => sum_f_R0 (fun k => (Rabs (a k) * r ^ k) * (Rabs (b (n - k)%nat) * r ^ (n - k))) n) K).
+  apply Rle_trans with
+    (sum_first (fun n => sum_f_R0 (fun k => (Rabs (a k) * r ^ k) * (Rabs (b (n - k)%nat) * r ^ (n - k))) n) K).
   + apply sum_first_le. intros n. unfold PS_mult. rewrite Rmult_comm.
     apply Rle_trans with (r ^ n * sum_f_R0 (fun k => Rabs (a k * b (n - k)%nat)) n).
     { apply Rmult_le_compat_l; [apply pow_le; lra|apply Rsum_abs]. }
@@ -263,7 +286,8 @@ Lemma norm_contract r M f c : Rabs c <= 1 -> 0 < r -> norm_at_most r M f -> norm
 Proof.
 intros Hc Hr (a & Ha & Hf). exists (fun n => a n * c ^ n). split.
 - intros N. eapply Rle_trans; [|apply (Ha N)]. apply sum_first_le. intros n. apply Rmult_le_compat_r. apply pow_le; lra.
-  rewrite Rabs_mult, <- RPow_abs. rewrite <- (Rmult_1_r (Rabs (a n))) at 2. apply Rmult_le_compat_l. apply Rabs_pos. rewrite <- (pow1 n). apply pow_incr. split; [apply Rabs_pos|auto].
+  rewrite Rabs_mult, <- RPow_abs. rewrite <- (Rmult_1_r (Rabs (a n))) at 2. apply Rmult_le_compat_l. apply Rabs_pos.
+  rewrite <- (pow1 n). apply pow_incr. split; [apply Rabs_pos|auto].
 - intros x Hx. apply is_pseries_sum_first. apply (is_lim_seq_ext (fun N => sum_first (fun n => a n * (c * x) ^ n) N)).
   + intros N. apply sum_first_ext. intros n. rewrite Rpow_mult_distr. ring.
   + apply is_pseries_sum_first, Hf. rewrite Rabs_mult. assert (P := Rabs_pos x). nra.
@@ -275,16 +299,20 @@ intros Hr H0 (a & Ha & Hf). exists a.
 assert (a0 : a 0%nat = 0).
 { assert (E := Hf 0 ltac:(rewrite Rabs_R0; lra)). apply is_pseries_unique in E. rewrite PSeries_0, H0 in E. exact E. }
 assert (Q : 0 <= r' / r <= 1).
-{ split. apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]. apply Rmult_le_reg_r with r; [lra|]. replace (r' / r * r) with r' by (field; lra). lra. }
+{ split. apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]. apply Rmult_le_reg_r with r; [lra|].
+  replace (r' / r * r) with r' by (field; lra). lra. }
 split.
-- intros N. rewrite Rmult_comm. eapply Rle_trans; [|apply Rmult_le_compat_l; [apply Q|apply (Ha N)]]. rewrite <- sum_first_scal.
+- intros N. rewrite Rmult_comm. eapply Rle_trans; [|apply Rmult_le_compat_l; [apply Q|apply (Ha N)]].
+  rewrite <- sum_first_scal.
   apply sum_first_le. intros [|n]. rewrite a0, Rabs_R0. simpl. lra.
   replace (r' ^ S n) with (r' / r * (r' / r) ^ n * r ^ S n).
   2: { rewrite pow_quotient. simpl. field. split; [apply pow_nonzero|]; lra. }
   assert (P : (r' / r) ^ n <= 1) by (rewrite <- (pow1 n); apply pow_incr; lra).
   assert (P0 : 0 <= Rabs (a (S n)) * r ^ S n) by (apply Rmult_le_pos; [apply Rabs_pos|apply pow_le; lra]).
   assert (P1 : 0 <= (r' / r) ^ n) by (apply pow_le; lra).
-  replace (Rabs (a (S n)) * (r' / r * (r' / r) ^ n * r ^ S n)) with (r' / r * (Rabs (a (S n)) * r ^ S n) * (r' / r) ^ n) by ring.
-  rewrite <- (Rmult_1_r (r' / r * (Rabs (a (S n)) * r ^ S n))) at 2. apply Rmult_le_compat_l; auto. apply Rmult_le_pos; lra.
+  replace (Rabs (a (S n)) * (r' / r * (r' / r) ^ n * r ^ S n)) with (r' / r * (Rabs (a (S n)) * r ^ S n) * (r' / r) ^ n)
+    by ring.
+  rewrite <- (Rmult_1_r (r' / r * (Rabs (a (S n)) * r ^ S n))) at 2. apply Rmult_le_compat_l; auto.
+  apply Rmult_le_pos; lra.
 - intros x Hx. apply Hf. lra.
 Qed.

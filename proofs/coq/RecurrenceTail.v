@@ -1,7 +1,8 @@
 (** * The tail of a Taylor series at any point
 
-    The tail lemma of proofs/check.md: the coefficients of a solution at t0 satisfy a recurrence of three terms; with a_k = |c_k| s^k
-    each is at most q times the greater of two before it, q decreasing in k, so blocks of three decrease like q^m. *)
+    The tail lemma of proofs/check.md: the coefficients of a solution at t0 satisfy a recurrence of three terms; with
+    a_k = |c_k| s^k each is at most q times the greater of two before it, q decreasing in k, so blocks of three decrease
+    like q^m. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -39,7 +40,8 @@ assert (T2 : Rabs ((INR k - b) * c k) * s ^ (k + 3) <= (INR k + B) * s ^ 3 * siz
 { rewrite Rabs_mult. unfold size. rewrite pow_add.
   assert (Hkb : Rabs (INR k - b) <= INR k + B).
   { eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp, (Rabs_pos_eq (INR k)) by lra. lra. }
-  replace (Rabs (INR k - b) * Rabs (c k) * (s ^ k * s ^ 3)) with (Rabs (INR k - b) * (s ^ 3 * (Rabs (c k) * s ^ k))) by ring.
+  replace (Rabs (INR k - b) * Rabs (c k) * (s ^ k * s ^ 3)) with (Rabs (INR k - b) * (s ^ 3 * (Rabs (c k) * s ^ k)))
+    by ring.
   replace ((INR k + B) * s ^ 3 * (Rabs (c k) * s ^ k)) with ((INR k + B) * (s ^ 3 * (Rabs (c k) * s ^ k))) by ring.
   apply Rmult_le_compat_r; auto. apply Rmult_le_pos. lra. apply (size_pos k). }
 assert (Hsum : D * size (k + 3) <= (Rabs t0 * s ^ 2 * (INR k + 1) + (INR k + B) * s ^ 3) * mu).
@@ -70,9 +72,11 @@ assert (I23 : / ((y + 2) * (y + 3)) <= / ((x + 2) * (x + 3))).
 assert (P23 : 0 < / ((y + 2) * (y + 3))) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra).
 apply Rplus_le_compat.
 - apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [apply Rabs_pos|lra].
-- replace ((y + B) * s ^ 3 / ((y + 1) * (y + 2) * (y + 3))) with (s ^ 3 * ((1 + (B - 1) * / (y + 1)) * / ((y + 2) * (y + 3))))
+- replace ((y + B) * s ^ 3 / ((y + 1) * (y + 2) * (y + 3)))
+    with (s ^ 3 * ((1 + (B - 1) * / (y + 1)) * / ((y + 2) * (y + 3))))
     by (field; lra).
-  replace ((x + B) * s ^ 3 / ((x + 1) * (x + 2) * (x + 3))) with (s ^ 3 * ((1 + (B - 1) * / (x + 1)) * / ((x + 2) * (x + 3))))
+  replace ((x + B) * s ^ 3 / ((x + 1) * (x + 2) * (x + 3)))
+    with (s ^ 3 * ((1 + (B - 1) * / (x + 1)) * / ((x + 2) * (x + 3))))
     by (field; lra).
   assert (I1 : / (y + 1) <= / (x + 1)) by (apply Rinv_le_contravar; lra).
   assert (P1 : 0 < / (y + 1)) by (apply Rinv_0_lt_compat; lra).
@@ -86,12 +90,14 @@ Let q := ratio I.
 Let mu := Rmax (size I) (Rmax (size (I + 1)) (size (I + 2))).
 
 (** blocks of three *)
-Lemma blocks m : size (I + 3 * m) <= q ^ m * mu /\ size (I + 3 * m + 1) <= q ^ m * mu /\ size (I + 3 * m + 2) <= q ^ m * mu.
+Lemma blocks m : size (I + 3 * m) <= q ^ m * mu /\ size (I + 3 * m + 1) <= q ^ m * mu /\
+  size (I + 3 * m + 2) <= q ^ m * mu.
 Proof.
 assert (Q0 : 0 <= q) by apply ratio_pos. assert (Q1 : q < 1) by exact Hq.
 induction m as [|m (H0 & H1 & H2)].
 - rewrite Nat.mul_0_r, Nat.add_0_r. simpl. rewrite Rmult_1_l. unfold mu.
-  assert (A := Rmax_l (size I) (Rmax (size (I + 1)) (size (I + 2)))). assert (A' := Rmax_r (size I) (Rmax (size (I + 1)) (size (I + 2)))).
+  assert (A := Rmax_l (size I) (Rmax (size (I + 1)) (size (I + 2)))).
+  assert (A' := Rmax_r (size I) (Rmax (size (I + 1)) (size (I + 2)))).
   assert (C := Rmax_l (size (I + 1)) (size (I + 2))). assert (C' := Rmax_r (size (I + 1)) (size (I + 2))). lra.
 - set (X := q ^ m * mu) in *.
   assert (X0 : 0 <= X) by (eapply Rle_trans; [apply size_pos|exact H0]).
@@ -101,9 +107,11 @@ induction m as [|m (H0 & H1 & H2)].
     apply ratio_decreases, Hk. apply Rmax_lub; auto. }
   assert (QX : q * X <= X) by (rewrite <- (Rmult_1_l X) at 2; apply Rmult_le_compat_r; lra).
   assert (G0 := ST (I + 3 * m)%nat ltac:(lia) H1 H0).
-  assert (G1 := ST (I + 3 * m + 1)%nat ltac:(lia)). replace (I + 3 * m + 1 + 1)%nat with (I + 3 * m + 2)%nat in G1 by lia.
+  assert (G1 := ST (I + 3 * m + 1)%nat ltac:(lia)).
+  replace (I + 3 * m + 1 + 1)%nat with (I + 3 * m + 2)%nat in G1 by lia.
   specialize (G1 H2 H1).
-  assert (G2 := ST (I + 3 * m + 2)%nat ltac:(lia)). replace (I + 3 * m + 2 + 1)%nat with (I + 3 * m + 3)%nat in G2 by lia.
+  assert (G2 := ST (I + 3 * m + 2)%nat ltac:(lia)).
+  replace (I + 3 * m + 2 + 1)%nat with (I + 3 * m + 3)%nat in G2 by lia.
   specialize (G2 (Rle_trans _ _ _ G0 QX) H2).
   change (q ^ S m) with (q * q ^ m). rewrite Rmult_assoc. fold X.
   replace (I + 3 * S m)%nat with (I + 3 * m + 3)%nat by lia.

@@ -1,10 +1,10 @@
 (** * Sign patterns of a function with simple zeros
 
-    [pattern f f' s a l]: on (a, oo) the zeros of f are exactly the members of l, in increasing order; f has the sign s before
-    the first, changes sign at each, and f' is not 0 there. [line_pattern] is the same on the whole line. [step_tail] and [step_head]
-    carry a pattern of g over to h, h' = -b g, when h has the sign of g' at the positive zeros of g and h, g have opposite
-    signs near +oo: one zero of h after each zero of g, and one before the first zero of g or none (section 3 of
-    proofs/proofs/count_law.md). *)
+    [pattern f f' s a l]: on (a, oo) the zeros of f are exactly the members of l, in increasing order; f has the sign s
+    before the first, changes sign at each, and f' is not 0 there. [line_pattern] is the same on the whole line.
+    [step_tail] and [step_head] carry a pattern of g over to h, h' = -b g, when h has the sign of g' at the positive
+    zeros of g and h, g have opposite signs near +oo: one zero of h after each zero of g, and one before the first zero
+    of g or none (section 3 of proofs/proofs/count_law.md). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.

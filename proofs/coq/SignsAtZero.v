@@ -1,8 +1,8 @@
 (** * The signs at t = 0
 
     For b in (m - 1, m): Theta(0, b) = (b - 1)(b - 2) Theta(0, b - 3), and the factor is negative only for 1 < b < 2; so
-    the sign [sg m] of Theta(0, b) has the period 3 in m: +, +, - (fact 3 of proofs/proofs/count_law.md). The derivatives follow
-    from the family. No value of Gamma is used. *)
+    the sign [sg m] of Theta(0, b) has the period 3 in m: +, +, - (fact 3 of proofs/proofs/count_law.md). The
+    derivatives follow from the family. No value of Gamma is used. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.

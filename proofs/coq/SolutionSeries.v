@@ -1,8 +1,8 @@
 (** * A solution is its Taylor series at any point
 
-    f''' = t f' - b f. The coefficients at t0 satisfy the recurrence of proofs/check.md, section 2; by the tail lemma ([RecurrenceTail.v])
-    they are small, so the series has radius oo. It solves the equation with the values of f at t0, and there is one solution only.
-    f' solves the equation with b - 1 and has the coefficients (k + 1) c_(k+1). *)
+    f''' = t f' - b f. The coefficients at t0 satisfy the recurrence of proofs/check.md, section 2; by the tail lemma
+    ([RecurrenceTail.v]) they are small, so the series has radius oo. It solves the equation with the values of f at t0,
+    and there is one solution only. f' solves the equation with b - 1 and has the coefficients (k + 1) c_(k+1). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -10,7 +10,8 @@ From GSpot Require Import Statement Calculus Gronwall RecurrenceTail.
 Open Scope R_scope.
 
 Definition solves (b : R) (f f1 f2 : R -> R) : Prop :=
-  (forall t, is_derive f t (f1 t)) /\ (forall t, is_derive f1 t (f2 t)) /\ (forall t, is_derive f2 t (t * f1 t - b * f t)).
+  (forall t, is_derive f t (f1 t)) /\ (forall t, is_derive f1 t (f2 t)) /\
+    (forall t, is_derive f2 t (t * f1 t - b * f t)).
 
 Lemma solves_slope b f f1 f2 : solves b f f1 f2 -> solves (b - 1) f1 f2 (fun t => t * f1 t - b * f t).
 Proof.
@@ -23,7 +24,8 @@ Qed.
 
 Lemma solves_scal b f f1 f2 w : solves b f f1 f2 -> solves b (fun t => w * f t) (fun t => w * f1 t) (fun t => w * f2 t).
 Proof.
-intros (D0 & D1 & D2). split; [|split]; intros t; try (apply (is_derive_scal f), D0); try (apply (is_derive_scal f1), D1).
+intros (D0 & D1 & D2).
+split; [|split]; intros t; try (apply (is_derive_scal f), D0); try (apply (is_derive_scal f1), D1).
 eapply is_derive_val. apply (is_derive_scal f2), D2. ring.
 Qed.
 
@@ -44,7 +46,8 @@ assert (E : f t ^ 2 + f1 t ^ 2 + f2 t ^ 2 = 0).
       generalize (Rle_abs t0) (Rle_abs t) (Rle_abs (- t0)) (Rle_abs (- t)). rewrite !Rabs_Ropp.
       revert Hs. unfold Rmin, Rmax at 1. destruct (Rle_dec t0 t); intros; lra. }
     assert (Z : forall u, Rabs u <= T -> Rabs 0 <= 0) by (intros; rewrite Rabs_R0; apply Rle_refl).
-    assert (B := E'_bound f f1 f2 (fun _ => 0) (- b) T 0 (Rle_trans _ _ _ (Rabs_pos t0) (Rmax_l _ _)) Z s Hb). cbv beta in B.
+    assert (B := E'_bound f f1 f2 (fun _ => 0) (- b) T 0 (Rle_trans _ _ _ (Rabs_pos t0) (Rmax_l _ _)) Z s Hb).
+    cbv beta in B.
     replace (f s ^ 2 + f1 s ^ 2 + f2 s ^ 2 + 0 ^ 2) with (f s ^ 2 + f1 s ^ 2 + f2 s ^ 2) in B by ring. exact B. }
 generalize (pow2_ge_0 (f t)) (pow2_ge_0 (f1 t)) (pow2_ge_0 (f2 t)). intros. apply Rsqr_0_uniq. unfold Rsqr. lra.
 Qed.
@@ -93,12 +96,15 @@ destruct (nfloor_ex Q HQ) as [I [_ HI]].
 assert (Hr : ratio t0 s B I < 1).
 { unfold ratio. set (x := INR I) in *. assert (Hx : 0 <= x) by apply pos_INR.
   apply Rle_lt_trans with (Q / (x + 2)).
-  - unfold Q. replace ((Rabs t0 * s ^ 2 + B * s ^ 3) / (x + 2)) with (Rabs t0 * s ^ 2 / (x + 2) + B * s ^ 3 / (x + 2)) by (field; lra).
+  - unfold Q. replace ((Rabs t0 * s ^ 2 + B * s ^ 3) / (x + 2)) with (Rabs t0 * s ^ 2 / (x + 2) + B * s ^ 3 / (x + 2))
+      by (field; lra).
     apply Rplus_le_compat.
     + unfold Rdiv. apply Rmult_le_compat_l; auto. apply Rinv_le_contravar. lra. nra.
     + apply Rmult_le_reg_r with ((x + 1) * (x + 2) * (x + 3)). apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra.
-      replace ((x + B) * s ^ 3 / ((x + 1) * (x + 2) * (x + 3)) * ((x + 1) * (x + 2) * (x + 3))) with (s ^ 3 * (x + B)) by (field; lra).
-      replace (B * s ^ 3 / (x + 2) * ((x + 1) * (x + 2) * (x + 3))) with (s ^ 3 * (B * ((x + 1) * (x + 3)))) by (field; lra).
+      replace ((x + B) * s ^ 3 / ((x + 1) * (x + 2) * (x + 3)) * ((x + 1) * (x + 2) * (x + 3))) with (s ^ 3 * (x + B))
+        by (field; lra).
+      replace (B * s ^ 3 / (x + 2) * ((x + 1) * (x + 2) * (x + 3))) with (s ^ 3 * (B * ((x + 1) * (x + 3))))
+        by (field; lra).
       apply Rmult_le_compat_l. lra. nra.
   - apply Rmult_lt_reg_r with (x + 2). lra. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
 set (mu := Rmax (size s c I) (Rmax (size s c (I + 1)) (size s c (I + 2)))).
@@ -134,7 +140,8 @@ destruct (CV_radius_bounded c) as [Hub _].
 assert (H : forall x, 0 < x -> Rbar_le (Finite x) (CV_radius c)).
 { intros x Hx. apply Hub. apply (coefficients_bounded x Hx). }
 destruct (CV_radius c) as [x| |]; auto; exfalso.
-- assert (A := H (Rmax 1 (x + 1)) ltac:(eapply Rlt_le_trans; [apply Rlt_0_1|apply Rmax_l])). simpl in A. assert (B := Rmax_r 1 (x + 1)). lra.
+- assert (A := H (Rmax 1 (x + 1)) ltac:(eapply Rlt_le_trans; [apply Rlt_0_1|apply Rmax_l])). simpl in A.
+  assert (B := Rmax_r 1 (x + 1)). lra.
 - exact (H 1 Rlt_0_1).
 Qed.
 
@@ -144,7 +151,8 @@ Proof. rewrite CV_radius_derive. apply coefficients_radius. Qed.
 Lemma series_solves : solves b (fun t => PSeries c (t - t0)) (fun t => PSeries (PS_derive c) (t - t0))
   (fun t => PSeries (PS_derive (PS_derive c)) (t - t0)).
 Proof.
-assert (Shift : forall (g g' : R -> R), (forall u, is_derive g u (g' u)) -> forall t, is_derive (fun t => g (t - t0)) t (g' (t - t0))).
+assert (Shift : forall (g g' : R -> R), (forall u, is_derive g u (g' u)) -> forall t, is_derive (fun t => g (t - t0)) t
+  (g' (t - t0))).
 { intros g g' D t. eapply is_derive_val. apply (is_derive_comp g (fun t => t - t0)). apply D.
   instantiate (1 := 1). auto_derive; auto. apply Rmult_1_l. }
 split; [|split].
@@ -155,15 +163,19 @@ split; [|split].
     intros u. apply is_derive_PSeries. rewrite CV_radius_derive, radius_slope. exact I.
   + set (u := t - t0). replace t with (t0 + u) by (unfold u; ring).
     rewrite (PSeries_ext _ (PS_minus (PS_plus (PS_scal t0 (PS_derive c)) (PS_incr_1 (PS_derive c))) (PS_scal b c))).
-    * assert (In : forall a x, CV_radius a = p_infty -> ex_pseries a x) by (intros a x E; apply CV_radius_inside; rewrite E; exact I).
+    * assert (In : forall a x, CV_radius a = p_infty -> ex_pseries a x) by (intros a x E; apply CV_radius_inside;
+        rewrite E; exact I).
       rewrite PSeries_minus, PSeries_plus, !PSeries_scal, PSeries_incr_1.
       -- simpl. ring.
       -- apply ex_pseries_scal. apply Rmult_comm. apply In, radius_slope.
       -- apply ex_pseries_incr_1, In, radius_slope.
-      -- apply ex_pseries_plus. apply ex_pseries_scal. apply Rmult_comm. apply In, radius_slope. apply ex_pseries_incr_1, In, radius_slope.
+      -- apply ex_pseries_plus. apply ex_pseries_scal. apply Rmult_comm. apply In, radius_slope.
+         apply ex_pseries_incr_1, In, radius_slope.
       -- apply ex_pseries_scal. apply Rmult_comm. apply In, coefficients_radius.
-    * intros n. unfold PS_derive, PS_minus, PS_plus, PS_scal, PS_incr_1, plus, opp, scal, zero; simpl; unfold mult; simpl.
-      assert (H := Hc n). replace (n + 3)%nat with (S (S (S n))) in H by lia. replace (n + 1)%nat with (S n) in H by lia.
+    * intros n. unfold PS_derive, PS_minus, PS_plus, PS_scal, PS_incr_1, plus, opp, scal, zero; simpl; unfold mult;
+        simpl.
+      assert (H := Hc n). replace (n + 3)%nat with (S (S (S n))) in H by lia.
+      replace (n + 1)%nat with (S n) in H by lia.
       fold (INR (S n)) (INR (S (S n))) (INR (S (S (S n)))).
       destruct n as [|n].
       -- simpl in *. lra.
@@ -185,27 +197,33 @@ assert (E : f t - PSeries c (t - t0) = 0).
   - replace (t0 - t0) with 0 by ring. rewrite PSeries_0, C0. ring.
   - replace (t0 - t0) with 0 by ring. rewrite PSeries_0. unfold PS_derive. simpl. rewrite C1. ring.
   - replace (t0 - t0) with 0 by ring. rewrite PSeries_0. unfold PS_derive. simpl. rewrite <- C2. ring. }
-replace (f t) with (PSeries c (t - t0)) by lra. apply PSeries_correct, CV_radius_inside. rewrite coefficients_radius. exact I.
+replace (f t) with (PSeries c (t - t0)) by lra. apply PSeries_correct, CV_radius_inside. rewrite coefficients_radius.
+exact I.
 Qed.
 
 End Radius.
 
 (** What is left out of the sum. *)
 Lemma rest_of_series (c : nat -> R) x y n M : is_pseries c x y ->
-  (forall N, sum_first (fun i => Rabs (c (n + i)%nat * x ^ (n + i))) N <= M) -> Rabs (y - sum_first (fun k => c k * x ^ k) n) <= M.
+  (forall N, sum_first (fun i => Rabs (c (n + i)%nat * x ^ (n + i))) N <= M) ->
+    Rabs (y - sum_first (fun k => c k * x ^ k) n) <= M.
 Proof.
 intros H HM.
 assert (Eq : forall k, sum_n (fun k => scal (pow_n x k) (c k)) k = sum_first (fun k => c k * x ^ k) (S k)).
 { induction k as [|k IH].
   - rewrite sum_O. simpl. unfold scal; simpl; unfold mult, one; simpl. ring.
-  - rewrite sum_Sn, IH. change (sum_first (fun k => c k * x ^ k) (S (S k))) with (sum_first (fun k => c k * x ^ k) (S k) + c (S k) * x ^ S k).
+  - rewrite sum_Sn, IH.
+    change (sum_first (fun k => c k * x ^ k) (S (S k))) with (sum_first (fun k => c k * x ^ k) (S k)
+      + c (S k) * x ^ S k).
     unfold plus; cbn [AbelianGroup.plus]. rewrite pow_n_pow. unfold scal; simpl; unfold mult; simpl. ring. }
 assert (Part : forall N, Rabs (sum_first (fun k => c k * x ^ k) (n + N) - sum_first (fun k => c k * x ^ k) n) <= M).
 { intros N. eapply Rle_trans; [|apply (HM N)]. induction N as [|N IH].
   - rewrite Nat.add_0_r, Rminus_diag_eq, Rabs_R0 by reflexivity. simpl. lra.
   - replace (n + S N)%nat with (S (n + N)) by lia. simpl.
-    replace (sum_first (fun k => c k * x ^ k) (n + N) + c (n + N)%nat * x ^ (n + N) - sum_first (fun k => c k * x ^ k) n)
-      with ((sum_first (fun k => c k * x ^ k) (n + N) - sum_first (fun k => c k * x ^ k) n) + c (n + N)%nat * x ^ (n + N)) by ring.
+    replace (sum_first (fun k => c k * x ^ k) (n + N) + c (n + N)%nat * x ^ (n + N) - sum_first (fun k => c k * x ^ k)
+      n)
+      with ((sum_first (fun k => c k * x ^ k) (n + N) - sum_first (fun k => c k * x ^ k) n)
+        + c (n + N)%nat * x ^ (n + N)) by ring.
     eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [exact IH|lra]. }
 apply Rnot_lt_le. intros Hlt.
 set (A := sum_first (fun k => c k * x ^ k) n) in *.
@@ -216,7 +234,8 @@ assert (HK' := HK (n + K)%nat ltac:(lia)). rewrite Eq in HK'.
 assert (P := Part (S K)). replace (n + S K)%nat with (S (n + K)) in P by lia.
 set (S' := sum_first (fun k => c k * x ^ k) (S (n + K))) in *.
 assert (Tr : Rabs (y - A) <= Rabs (S' - A) + Rabs (S' - y)).
-{ replace (y - A) with ((S' - A) + - (S' - y)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
+{ replace (y - A) with ((S' - A) + - (S' - y)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp.
+  lra. }
 lra.
 Qed.
 

@@ -1,10 +1,10 @@
 (** * What is proved about Theta: definitions and statements
 
-    This file holds no proof. It defines the words and states the theorems; [Theorems.v] proves each statement under
-    the same name. Who wants to know what is proved about Theta reads this file alone; [StatementModels.v],
-    [StatementCompliant.v], [StatementFlight.v], [StatementCertificate.v] and [StatementChecker.v] go on from here. It stands on Coq's real numbers and on
-    Coquelicot: [RInt_gen] (improper Riemann integral), [is_derive], [Derive_n] and [ex_derive_n] (derivatives),
-    [is_lim] and [filterlim] (limits), [PSeries] (power series).
+    This file holds no proof. It defines the words and states the theorems; [Theorems.v] proves each statement under the
+    same name. Who wants to know what is proved about Theta reads this file alone; [StatementModels.v],
+    [StatementCompliant.v], [StatementFlight.v], [StatementCertificate.v] and [StatementChecker.v] go on from here. It
+    stands on Coq's real numbers and on Coquelicot: [RInt_gen] (improper Riemann integral), [is_derive], [Derive_n] and
+    [ex_derive_n] (derivatives), [is_lim] and [filterlim] (limits), [PSeries] (power series).
 
     The paper writes tau for t and beta for b; ' is d/dtau. Labels such as t01 are those of the paper. *)
 
@@ -120,7 +120,8 @@ Definition taylor_series : Prop := forall b theta, is_Theta b theta -> exists c 
   (forall k, (INR k + 1) * (INR k + 2) * (INR k + 3) * c (k + 3)%nat = (INR k - b) * c k) /\
   forall t, is_pseries c t (theta t).
 
-(** The signs at t = 0 for b in (m - 1, m): the one of Theta(0, b) has the period 3 in m, and is - only if m = 2 mod 3. *)
+(** The signs at t = 0 for b in (m - 1, m): the one of Theta(0, b) has the period 3 in m, and is - only if m = 2 mod
+    3. *)
 Definition signs_at_zero : Prop := forall (m n : nat) b theta, INR m - 1 < b < INR m -> is_Theta b theta ->
   ((n <= m)%nat -> 0 < (-1) ^ n * (if Nat.eqb ((m - n) mod 3) 2 then -1 else 1) * Derive_n theta n 0) /\
   ((m <= n)%nat -> 0 < (-1) ^ m * Derive_n theta n 0).
@@ -149,20 +150,22 @@ Definition left_end : Prop := forall b theta, 0 < b -> not_nat b -> is_Theta b t
 Definition right_end : Prop := forall b theta n, not_nat b -> is_Theta b theta ->
   forall M, exists T, forall t, T <= t -> M <= Gamma (- b) * Derive_n theta n t.
 
-(** An explicit point, n < b < n + 1: Theta > 0 on (-oo, -x] if x^(3N) 3^N N! > |b (b - 1) ... (b - 3N + 1)|, N = floor(n/3) + 1. *)
+(** An explicit point, n < b < n + 1: Theta > 0 on (-oo, -x] if x^(3N) 3^N N! > |b (b - 1) ... (b - 3N + 1)|, N =
+    floor(n/3) + 1. *)
 Definition left_end_explicit : Prop := forall (n : nat) b theta x, INR n < b < INR n + 1 -> is_Theta b theta -> 0 < x ->
   let N := S (n / 3) in
   Rabs (rising (- b) (3 * N)) < x ^ (3 * N) * 3 ^ N * INR (fact N) -> forall t, t <= - x -> 0 < theta t.
 
-(** n < beta < n + 1 and a point T, with s k = Gamma(-b) Theta^(k)(T) for k <= n. If none is negative, Theta has no zero on [T, oo);
-    if they change sign once, from <= 0 to >= 0, it has exactly one there, and that is simple. *)
+(** n < beta < n + 1 and a point T, with s k = Gamma(-b) Theta^(k)(T) for k <= n. If none is negative, Theta has no zero
+    on [T, oo); if they change sign once, from <= 0 to >= 0, it has exactly one there, and that is simple. *)
 Definition tail_without_zero : Prop := forall (n : nat) b theta T, INR n < b < INR n + 1 -> is_Theta b theta ->
   let s k := Gamma (- b) * Derive_n theta k T in
   (forall k, (k <= n)%nat -> 0 <= s k) -> s 0%nat <> 0 -> forall t, T <= t -> 0 < Gamma (- b) * theta t.
 
 Definition tail_with_one_zero : Prop := forall (n j : nat) b theta T, INR n < b < INR n + 1 -> is_Theta b theta ->
   let s k := Gamma (- b) * Derive_n theta k T in
-  (1 <= j <= n + 1)%nat -> (forall k, (k < j)%nat -> s k <= 0) -> (forall k, (j <= k <= n)%nat -> 0 <= s k) -> s 0%nat <> 0 ->
+  (1 <= j <= n + 1)%nat -> (forall k, (k < j)%nat -> s k <= 0) -> (forall k, (j <= k <= n)%nat -> 0 <= s k) ->
+    s 0%nat <> 0 ->
   exists z, T < z /\ theta z = 0 /\ Derive theta z <> 0 /\
     (forall t, T <= t < z -> Gamma (- b) * theta t < 0) /\ (forall t, z < t -> 0 < Gamma (- b) * theta t).
 
@@ -193,8 +196,8 @@ Definition zeros_with_multiplicity (f : R -> R) (place : R -> Prop) (l : list R)
   StronglySorted Rle l /\ (forall z, In z l -> place z) /\
   forall z, place z -> zero_order f z (count_occ Req_EM_T l z).
 
-(** There is at most one such list. It holds every zero, it is at least as long as a list of different zeros, and if all zeros are simple
-    it is the list of the zeros. *)
+(** There is at most one such list. It holds every zero, it is at least as long as a list of different zeros, and if all
+    zeros are simple it is the list of the zeros. *)
 Definition list_with_multiplicity : Prop := forall f place l, zeros_with_multiplicity f place l ->
   (forall l', zeros_with_multiplicity f place l' -> l' = l) /\
   (forall z, In z l <-> place z /\ f z = 0) /\
@@ -202,15 +205,17 @@ Definition list_with_multiplicity : Prop := forall f place l, zeros_with_multipl
     ((forall z, In z zeros -> place z /\ f z = 0) -> (length zeros <= length l)%nat) /\
     ((forall z, In z zeros <-> place z /\ f z = 0) -> (forall z, In z zeros -> Derive f z <> 0) -> l = zeros).
 
-(** The theorem of Budan and Fourier, for a function whose n-th derivative has one sign (that of s) on [T, T']: with multiplicity it has in
-    (T, T'] as many zeros as the derivatives lose changes of sign from T to T', less an even number. *)
+(** The theorem of Budan and Fourier, for a function whose n-th derivative has one sign (that of s) on [T, T']: with
+    multiplicity it has in (T, T'] as many zeros as the derivatives lose changes of sign from T to T', less an even
+    number. *)
 Definition budan_fourier : Prop := forall f n s T T', T <= T' ->
-  (forall k t, (k <= n)%nat -> T <= t <= T' -> ex_derive_n f k t) -> (forall t, T <= t <= T' -> 0 < s * Derive_n f n t) ->
+  (forall k t, (k <= n)%nat -> T <= t <= T' -> ex_derive_n f k t) ->
+    (forall t, T <= t <= T' -> 0 < s * Derive_n f n t) ->
   exists l j, zeros_with_multiplicity f (fun t => T < t <= T') l /\
     variations (derivatives f n T) = (variations (derivatives f n T') + length l + 2 * j)%nat.
 
-(** n < beta < n + 1, v the changes of sign in s_0, ..., s_n, +, where s_k = Gamma(-b) Theta^(k)(T): with multiplicity Theta has v zeros in (T, oo)
-    less an even number, and n + 1 - v in (-oo, T] less an even number. *)
+(** n < beta < n + 1, v the changes of sign in s_0, ..., s_n, +, where s_k = Gamma(-b) Theta^(k)(T): with multiplicity
+    Theta has v zeros in (T, oo) less an even number, and n + 1 - v in (-oo, T] less an even number. *)
 Definition tail_zeros : Prop := forall (n : nat) b theta T, INR n < b < INR n + 1 -> is_Theta b theta ->
   let v := variations (map (fun k => Gamma (- b) * Derive_n theta k T) (seq 0 (S n)) ++ [1]) in
   (exists l j, zeros_with_multiplicity theta (fun t => T < t) l /\ v = (length l + 2 * j)%nat) /\
@@ -247,7 +252,8 @@ Definition count_law_with_signs : Prop := forall (m : nat) b theta, INR m < b < 
     length negative = (if Nat.eqb (m mod 3) 2 then 1 else 0)%nat /\ (forall t, In t negative -> t < 0) /\
     length positive = ((m + 2) / 3)%nat /\ (forall t, In t positive -> 0 < t) /\
     (forall t, (forall c, In c (negative ++ positive) -> t < c) -> Derive theta t < 0) /\
-    forall i, (i < length (negative ++ positive))%nat -> 0 < (-1) ^ i * Derive_n theta 2 (nth i (negative ++ positive) 0).
+    forall i, (i < length (negative ++ positive))%nat -> 0 < (-1) ^ i * Derive_n theta 2
+      (nth i (negative ++ positive) 0).
 
 (** z0 < c0 < z1 < ... < c_(k-1) < z_k,  and  c0 < z0 < c1 < ... < z_(k-1). *)
 Definition around (c z : list R) : Prop :=
@@ -276,12 +282,15 @@ Definition differentiable_in_beta : Prop := forall b t (Theta : R -> R -> R), no
   (forall b, not_nat b -> is_Theta b (Theta b)) ->
   ex_derive (fun b => Theta b t) b /\ continuous (fun p : R * R => Derive (fun b => Theta b (fst p)) (snd p)) (t, b).
 
-(** So inside a cell the i-th zero z(beta) has a continuous derivative, - (d/dbeta dTheta/dtau)/(d^2 Theta/dtau^2) at the zero. *)
-Definition zeros_differentiable : Prop := forall (m i : nat) (Theta : R -> R -> R) (l : R -> list R), (i < m mod 3 + m / 3)%nat ->
+(** So inside a cell the i-th zero z(beta) has a continuous derivative, - (d/dbeta dTheta/dtau)/(d^2 Theta/dtau^2) at
+    the zero. *)
+Definition zeros_differentiable : Prop := forall (m i : nat) (Theta : R -> R -> R) (l : R -> list R),
+  (i < m mod 3 + m / 3)%nat ->
   (forall b, INR m < b < INR m + 1 -> is_Theta b (Theta b) /\ zeros_of (Derive (Theta b)) (l b)) ->
   let z b := nth i (l b) 0 in
   forall b, INR m < b < INR m + 1 ->
-    is_derive z b (- Derive (fun b' => Derive (Theta b') (z b)) b / Derive_n (Theta b) 2 (z b)) /\ continuous (Derive z) b.
+    is_derive z b (- Derive (fun b' => Derive (Theta b') (z b)) b / Derive_n (Theta b) 2 (z b)) /\
+      continuous (Derive z) b.
 
 (** ** Integer beta *)
 
@@ -296,7 +305,8 @@ Definition is_Theta_entire (b : R) (theta : R -> R) : Prop :=
   (forall t, Derive_n theta 3 t - t * Derive theta t + b * theta t = 0) /\
   theta 0 = 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2) * recip_Gamma ((1 - b) / 3) * recip_Gamma ((2 - b) / 3) /\
   Derive theta 0 = 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 1 / 3) * recip_Gamma (- b / 3) * recip_Gamma ((2 - b) / 3) /\
-  Derive_n theta 2 0 = 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 2 / 3) * recip_Gamma (- b / 3) * recip_Gamma ((1 - b) / 3).
+  Derive_n theta 2 0 = 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 2 / 3)
+    * recip_Gamma (- b / 3) * recip_Gamma ((1 - b) / 3).
 
 (** They single out Theta(., b) off the integers, and P_n at b = n. *)
 Definition entire_initial_values : Prop := forall b theta,
@@ -304,14 +314,16 @@ Definition entire_initial_values : Prop := forall b theta,
   (forall n : nat, b = INR n -> ((forall t, theta t = Poly n t) <-> is_Theta_entire b theta)).
 
 (** It is the limit of Theta(t, b) as b -> n: "Theta(., n)". At b = n itself t01-t03 divide by a pole. *)
-Definition integer_limit : Prop := forall (n : nat) (Theta : R -> R -> R), (forall b, not_nat b -> is_Theta b (Theta b)) ->
+Definition integer_limit : Prop := forall (n : nat) (Theta : R -> R -> R),
+  (forall b, not_nat b -> is_Theta b (Theta b)) ->
   forall t, is_lim (fun b => Theta b t) (INR n) (Poly n t).
 
 (** Off the integers Theta is continuous in b. *)
 Definition continuity_in_beta : Prop := forall b (Theta : R -> R -> R), not_nat b ->
   (forall b, not_nat b -> is_Theta b (Theta b)) -> forall t, is_lim (fun b => Theta b t) b (Theta b t).
 
-(** dP_n/dt (n >= 1) has floor((n-1)/3) positive zeros, all simple; a zero at 0 of multiplicity (n-1) mod 3; no others. *)
+(** dP_n/dt (n >= 1) has floor((n-1)/3) positive zeros, all simple; a zero at 0 of multiplicity (n-1) mod 3; no
+    others. *)
 Definition count_law_integer : Prop := forall n, (1 <= n)%nat -> exists l,
   length l = ((n - 1) / 3)%nat /\ StronglySorted Rlt l /\ (forall t, In t l -> 0 < t) /\
   (forall t, Derive (Poly n) t = 0 <-> In t l \/ (t = 0 /\ ((n - 1) mod 3 <> 0)%nat)) /\
@@ -346,8 +358,8 @@ Definition zeros_at_integer : Prop := forall (k : nat) c eps T, StronglySorted R
 (** Left of 0 dP_n/dt is negative. *)
 Definition left_end_integer : Prop := forall n t, (1 <= n)%nat -> t < 0 -> Derive (Poly n) t < 0.
 
-(** A fold, n = 2 mod 3: on a box that holds (0, n), where F = Theta is convex in t, increases with b and is positive at both ends,
-    F has two zeros, both simple, below n, the one zero 0 at n, and none above. *)
+(** A fold, n = 2 mod 3: on a box that holds (0, n), where F = Theta is convex in t, increases with b and is positive at
+    both ends, F has two zeros, both simple, below n, the one zero 0 at n, and none above. *)
 Definition fold : Prop := forall (n : nat) t1 t2 lo hi (F : R -> R -> R), (n mod 3 = 2)%nat -> t1 < 0 < t2 ->
   lo <= INR n <= hi ->
   (forall b, lo <= b <= hi -> b <> INR n -> is_Theta b (F b)) -> (forall t, F (INR n) t = Poly n t) ->
@@ -371,9 +383,11 @@ Definition hinge : Prop := forall (f : R -> R) s t1 t2, t1 <= 0 <= t2 -> (forall
 Definition recip_gamma_entire : Prop := exists a : nat -> R, forall x, is_pseries a x (recip_Gamma x).
 
 (** So is Theta(t, .) for every t, integers included. *)
-Definition entire_in_beta : Prop := forall t, exists a : nat -> R, forall b theta, is_Theta_entire b theta -> is_pseries a b (theta t).
+Definition entire_in_beta : Prop := forall t, exists a : nat -> R, forall b theta, is_Theta_entire b theta ->
+  is_pseries a b (theta t).
 
-(** And Theta is an entire function of both: the sum over j of (sum over k of a_jk b^k) t^j, where |a_jk| r^(j+k) is bounded for every r. *)
+(** And Theta is an entire function of both: the sum over j of (sum over k of a_jk b^k) t^j, where |a_jk| r^(j+k) is
+    bounded for every r. *)
 Definition entire_in_both : Prop := exists a : nat -> nat -> R,
   (forall r, exists M, forall j k, Rabs (a j k) * r ^ (j + k) <= M) /\
   forall b theta t, is_Theta_entire b theta -> is_pseries (fun j => PSeries (a j) b) t (theta t).
@@ -386,13 +400,15 @@ Definition analytic_at (f : R -> R) (x0 : R) : Prop := exists (a : nat -> R) r, 
 Definition analytic_in_beta : Prop := forall b t (Theta : R -> R -> R), not_nat b ->
   (forall b, not_nat b -> is_Theta b (Theta b)) -> analytic_at (fun b => Theta b t) b.
 
-(** Through every simple zero of dTheta/dtau, at an integer b0 too, passes one curve t = z(b) of zeros; it is analytic. *)
+(** Through every simple zero of dTheta/dtau, at an integer b0 too, passes one curve t = z(b) of zeros; it is
+    analytic. *)
 Definition zero_curve : Prop := forall (Theta : R -> R -> R) t0 b0, (forall b, is_Theta_entire b (Theta b)) ->
   Derive (Theta b0) t0 = 0 -> Derive_n (Theta b0) 2 t0 <> 0 ->
   exists z eps, 0 < eps /\ analytic_at z b0 /\ z b0 = t0 /\
     forall b t, Rabs (b - b0) < eps -> Rabs (t - t0) < eps -> (Derive (Theta b) t = 0 <-> t = z b).
 
 (** Inside a cell the i-th zero is an analytic function of beta. *)
-Definition zeros_analytic : Prop := forall (m i : nat) (Theta : R -> R -> R) (l : R -> list R), (i < m mod 3 + m / 3)%nat ->
+Definition zeros_analytic : Prop := forall (m i : nat) (Theta : R -> R -> R) (l : R -> list R),
+  (i < m mod 3 + m / 3)%nat ->
   (forall b, INR m < b < INR m + 1 -> is_Theta b (Theta b) /\ zeros_of (Derive (Theta b)) (l b)) ->
   forall b, INR m < b < INR m + 1 -> analytic_at (fun b => nth i (l b) 0) b.

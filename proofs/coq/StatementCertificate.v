@@ -38,7 +38,8 @@ Definition signed (s : bool) (x : R) : R := if s then x else - x.
 (** A piece as it stands in the file; [right_piece T v] has v changes of sign. *)
 Inductive piece :=
 | laplace_piece | taylor_piece | left_piece (X : R) | sign_piece (t1 t2 : R) (s : bool)
-| monotone_piece (t1 t2 : R) (d : bool) | fold_piece (t1 t2 : R) | hinge_piece (t1 t2 : R) | right_piece (T : R) (v : nat).
+| monotone_piece (t1 t2 : R) (d : bool) | fold_piece (t1 t2 : R) | hinge_piece (t1 t2 : R)
+| right_piece (T : R) (v : nat).
 
 Definition piece_ends (p : piece) : Rbar * Rbar :=
   match p with
@@ -67,7 +68,8 @@ Fixpoint changes (s : bool) (signs : list (option bool)) : option nat :=
   end.
 
 (** A finite cover of [t1, t2] x J by boxes on each of which dF/db + w F > 0, with a constant w; at the b inside J. *)
-Definition increases_in_b (F : R -> R -> R) (c : column) (t1 t2 : R) : Prop := exists boxes : list ((R * R) * (R * R) * R),
+Definition increases_in_b (F : R -> R -> R) (c : column) (t1 t2 : R) : Prop :=
+  exists boxes : list ((R * R) * (R * R) * R),
   let inside t b box := let '((s1, s2), (b1, b2), _) := box in s1 <= t <= s2 /\ b1 <= b <= b2 in
   (forall t b, t1 <= t <= t2 -> in_column c b -> exists box, In box boxes /\ inside t b box) /\
   (forall t b box, In box boxes -> inside t b box -> Rbar_lt (column_low c) (b + 1) -> b + 1 < column_high c ->
@@ -113,7 +115,8 @@ Definition piece_sign (c : column) (p : piece) : option bool :=
   | right_piece _ v => Some (Nat.even (column_cell c + v))
   end.
 
-(** The pieces of a column that is accepted for dTheta/dtau of sign s on a range of tau: F has the sign s' = s or - s. *)
+(** The pieces of a column that is accepted for dTheta/dtau of sign s on a range of tau: F has the sign s' = s or -
+    s. *)
 Definition sign_column (F : R -> R -> R) (tau beta : range) (s' : bool) (c : column) : Prop :=
   in_cell c /\ cover (map piece_ends (column_pieces c)) (range_from tau) (range_to tau) /\
   forall p, In p (column_pieces c) -> piece_checked F c p /\ piece_sign c p = Some s' /\
@@ -133,7 +136,8 @@ Definition sign_certificate : Prop := forall F tau beta columns s, theta_family 
   forall t b, in_range tau t -> in_range beta b -> 0 < signed s (Derive (F b) t).
 
 (** The walk through the pieces of a column: [before] is the sign of F at the end of the last piece that fixes one, and
-    [run] the direction of the pieces [monotone] since then; a fold at the upper end of J holds two zeros, [right] holds v. *)
+    [run] the direction of the pieces [monotone] since then; a fold at the upper end of J holds two zeros, [right] holds
+    v. *)
 Definition crossings (before run : option bool) (s : bool) : option nat :=
   match before with
   | None => Some 0%nat
@@ -174,7 +178,8 @@ Definition zeros_column (F : R -> R -> R) (count : nat) (c : column) : Prop :=
   in_cell c /\ cover (map piece_ends (column_pieces c)) m_infty p_infty /\
   (forall p, In p (column_pieces c) -> piece_checked F c p) /\ zeros_counted c None None (column_pieces c) = Some count.
 
-(** A certificate of the number of zeros: exactly [count m] real zeros of dTheta/dtau for every beta of the range in (m, m + 1), all simple. *)
+(** A certificate of the number of zeros: exactly [count m] real zeros of dTheta/dtau for every beta of the range in (m,
+    m + 1), all simple. *)
 Definition zeros_certificate : Prop := forall F beta columns (count : nat -> nat), theta_family F ->
   cover (map (fun c => (column_low c, Finite (column_high c))) columns) (range_from beta) (range_to beta) ->
   (forall c, In c columns -> zeros_column F (count (column_cell c)) c) ->
@@ -182,16 +187,18 @@ Definition zeros_certificate : Prop := forall F beta columns (count : nat -> nat
     exists l, zeros_of (Derive (F b)) l /\ length l = count m /\ forall t, In t l -> Derive_n (F b) 2 t <> 0.
 
 (** A certificate of brackets: as many zeros as brackets, and one in each. *)
-Definition brackets_certificate : Prop := forall F b c (brackets : list (R * R)), theta_family F -> 0 < b -> not_nat b ->
+Definition brackets_certificate : Prop := forall F b c (brackets : list (R * R)), theta_family F -> 0 < b ->
+  not_nat b ->
   in_column c (b - 1) -> zeros_column F (length brackets) c ->
   StronglySorted (fun one two => snd one <= fst two) brackets ->
   (forall lo hi, In (lo, hi) brackets -> lo < hi /\ F (b - 1) lo * F (b - 1) hi < 0) ->
   exists l, zeros_of (Derive (F b)) l /\ length l = length brackets /\ (forall t, In t l -> Derive_n (F b) 2 t <> 0) /\
     forall i, (i < length l)%nat -> fst (nth i brackets (0, 0)) < nth i l 0 < snd (nth i brackets (0, 0)).
 
-(** Version 2, the contact force of the compliant model at one beta: the column is that point, and beside the pieces that give F the sign
-    (-1)^floor(beta) there are [level] pieces (t1, t2), on which |F| is at most the level. *)
-Definition force_column (F : R -> R -> R) (beta level : R) (tau : range) (c : column) (parts : list (piece + R * R)) : Prop :=
+(** Version 2, the contact force of the compliant model at one beta: the column is that point, and beside the pieces
+    that give F the sign (-1)^floor(beta) there are [level] pieces (t1, t2), on which |F| is at most the level. *)
+Definition force_column (F : R -> R -> R) (beta level : R) (tau : range) (c : column) (parts : list (piece + R * R))
+  : Prop :=
   in_cell c /\ column_low c = Finite beta /\ column_high c = beta /\
   cover (map (fun part => match part with inl p => piece_ends p | inr (t1, t2) => (Finite t1, Finite t2) end) parts)
     (range_from tau) (range_to tau) /\
@@ -202,7 +209,8 @@ Definition force_column (F : R -> R -> R) (beta level : R) (tau : range) (c : co
     | inr (t1, t2) => forall t, t1 <= t <= t2 -> Rabs (F (beta - 1) t) <= level
     end.
 
-(** What is compared with 1: the 3n-th power of (the deviation of the force at this level)/(its mean), beta - 1 = h/n. *)
+(** What is compared with 1: the 3n-th power of (the deviation of the force at this level)/(its mean), beta - 1 =
+    h/n. *)
 Definition compared (a1 a2 a3 C1 eps level : R) (h n : nat) : R :=
   (Rabs (C1 / a3) * (a3 / a1) * level / (a2 / (a3 - a1))) ^ (3 * n) * (2 * eps ^ 2 / - a1) ^ h.
 
@@ -216,24 +224,28 @@ Definition force_certificate : Prop := forall F a1 a2 a3 C1 eps0 level h n tau c
 
 (** On the other side it is negative at one tau, for every eps from eps_1 on. *)
 Definition lift_off_certificate : Prop := forall F a1 a2 a3 C1 eps1 level h n m tau1, theta_family F ->
-  a1 < 0 -> a2 < 0 -> a3 < 0 -> (0 < n)%nat -> a3 / a1 = 1 + INR h / INR n -> INR m < a3 / a1 < INR m + 1 -> 1 < a3 / a1 < 5 ->
+  a1 < 0 -> a2 < 0 -> a3 < 0 -> (0 < n)%nat -> a3 / a1 = 1 + INR h / INR n -> INR m < a3 / a1 < INR m + 1 ->
+    1 < a3 / a1 < 5 ->
   0 < eps1 -> 0 < level -> C1 * Gamma (- (a3 / a1)) < 0 -> 1 <= compared a1 a2 a3 C1 eps1 level h n ->
   level <= signed (Nat.even m) (F (a3 / a1 - 1) tau1) ->
   forall eps p b y v z t, eps1 <= eps -> slow_motion a1 a2 a3 eps (C1 * Rpower eps (a3 / a1)) p b y v z ->
     Rpower (- a1 / 2) (1 / 3) * t * Rpower eps (- 2 / 3) = tau1 -> linear_force eps (y t) (z t) < 0.
 
-(** Version 3, the number of zeros of the force less its mean, 4 < beta < 5: each column, beta in [low, high], is one piece dip (t1, t2). *)
+(** Version 3, the number of zeros of the force less its mean, 4 < beta < 5: each column, beta in [low, high], is one
+    piece dip (t1, t2). *)
 Definition dip_checked (F : R -> R -> R) (eta0 : R) (low high t1 t2 : R) : Prop :=
   0 < t1 < t2 /\ 2 * t1 ^ 3 <= t2 ^ 3 /\
   let mu := t1 / t2 in
   forall b, low <= b + 1 <= high ->
     F b t1 + 3 * eta0 / (8 * (1 - mu ^ 3)) * (Rpower mu (b - 1) * Derive (F b) t2 - Derive (F b) t1) < 0.
 
-(** For every beta of the range, neither 4 nor 5, and every eps up to eps_0 (of the normal form a1 = -1: in general -a1 eps) the force of a slow
-    motion with C <> 0 is equal to its mean exactly twice; both zeros of the difference are simple. *)
+(** For every beta of the range, neither 4 nor 5, and every eps up to eps_0 (of the normal form a1 = -1: in general -a1
+    eps) the force of a slow motion with C <> 0 is equal to its mean exactly twice; both zeros of the difference are
+    simple. *)
 Definition slow_zeros_certificate : Prop := forall F beta columns eps0 eta0, theta_family F ->
   (forall x, in_range beta x -> 4 <= x <= 5) -> 0 < eta0 -> eps0 <= 2 * eta0 ^ 3 ->
-  cover (map (fun c => match c with (low, high, _, _) => (Finite low, Finite high) end) columns) (range_from beta) (range_to beta) ->
+  cover (map (fun c => match c with (low, high, _, _) => (Finite low, Finite high) end) columns)
+    (range_from beta) (range_to beta) ->
   (forall low high t1 t2, In (low, high, t1, t2) columns -> dip_checked F eta0 low high t1 t2) ->
   forall a1 a2 a3 eps C p b y v z, parameters a1 a3 eps -> in_range beta (a3 / a1) -> - a1 * eps <= eps0 -> C <> 0 ->
     slow_motion a1 a2 a3 eps C p b y v z ->

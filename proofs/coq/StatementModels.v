@@ -1,7 +1,7 @@
 (** * What boxes and the steps of the checker rest on: definitions and statements
 
-    This file holds no proof; it is read after [Statement.v], whose words it uses. Each statement is proved in [Theorems.v] under the same name.
-    The pages are proofs/check.md, sections 2 to 4, and proofs/box.md. *)
+    This file holds no proof; it is read after [Statement.v], whose words it uses. Each statement is proved in
+    [Theorems.v] under the same name. The pages are proofs/check.md, sections 2 to 4, and proofs/box.md. *)
 
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
@@ -22,7 +22,8 @@ Definition recurrence_tail : Prop := forall b t0 s B (c : nat -> R) (I N : nat),
     <= 3 * Rmax (a I) (Rmax (a (I + 1)%nat) (a (I + 2)%nat)) * q / (1 - q).
 
 (** At t0 = 0, for the derivative of order d: v_k = k!/(k-d)! |c_k| X^(k-d) is small from K on. *)
-Definition derivative_tail : Prop := forall b X B (c : nat -> R) (d K N : nat), 0 <= X -> 1 <= B -> Rabs b <= B -> (d <= K)%nat ->
+Definition derivative_tail : Prop := forall b X B (c : nat -> R) (d K N : nat), 0 <= X -> 1 <= B -> Rabs b <= B ->
+  (d <= K)%nat ->
   (forall k, (INR k + 1) * (INR k + 2) * (INR k + 3) * c (k + 3)%nat = (INR k - b) * c k) ->
   let v k := INR (fact k) / INR (fact (k - d)) * Rabs (c k) * X ^ (k - d) in
   let y := INR (K - d) in
@@ -31,7 +32,8 @@ Definition derivative_tail : Prop := forall b X B (c : nat -> R) (d K N : nat), 
 
 (** ** Taylor models on boxes: b = b0 + r eta, t = t0 + s u, |eta| <= 1, |u| <= 1 (proofs/box.md) *)
 
-(** The polynomial with the coefficients m, the sum of their sizes, and a polynomial with an error as a model of f(eta). *)
+(** The polynomial with the coefficients m, the sum of their sizes, and a polynomial with an error as a model of
+    f(eta). *)
 Fixpoint polynomial (m : list R) (x : R) : R :=
   match m with
   | [] => 0
@@ -50,14 +52,15 @@ Fixpoint times_linear (g r before : R) (m : list R) : list R :=
   | a :: rest => (g * a - r * before) :: times_linear g r a rest
   end.
 
-(** From a model of a_k to one of a_(k+3) = (k - b) a_k/((k + 1)(k + 2)(k + 3)); the last coefficient goes into the error. *)
+(** From a model of a_k to one of a_(k+3) = (k - b) a_k/((k + 1)(k + 2)(k + 3)); the last coefficient goes into the
+    error. *)
 Definition next_model (b0 r : R) (k : nat) (model : list R * R) : list R * R :=
   let divisor := (INR k + 1) * (INR k + 2) * (INR k + 3) in
   let product := map (fun a => a / divisor) (times_linear (INR k - b0) r 0 (fst model)) in
   (removelast product, (Rabs (INR k - b0) + r) * snd model / divisor + Rabs (last product 0)).
 
-(** Section 4: the sum of i!/(i-d)! f_i u^(i-d), d <= i < I, is s^d Theta^(d)(t0 + s u) up to s^d (W_d + E_d + V_d), where W is s^d W_d, if q < 1;
-    at u = 0 without W_d. p_k, e_k, S_k are the P_k, e_k, S_k of the page at one eta. *)
+(** Section 4: the sum of i!/(i-d)! f_i u^(i-d), d <= i < I, is s^d Theta^(d)(t0 + s u) up to s^d (W_d + E_d + V_d),
+    where W is s^d W_d, if q < 1; at u = 0 without W_d. p_k, e_k, S_k are the P_k, e_k, S_k of the page at one eta. *)
 Definition falling (d i : nat) : R := INR (fact i) / INR (fact (i - d)).
 
 Definition shifted (t0 s : R) (c : nat -> R) (K i : nat) : R :=
@@ -82,7 +85,8 @@ Definition box_remainder : Prop := forall b theta t0 s B (p e S : nat -> R) (d I
   (forall k, (K <= k < K + 3)%nat -> Rabs (a k) <= S k) ->
   box_estimate B t0 s p e S d I K u (Derive_n theta d (t0 + s * u)).
 
-(** Sections 3 and 4 together, real b: models of Theta, Theta', Theta''/2 at t = 0 give those on the box, S_k = (total size of P_k) + e_k. *)
+(** Sections 3 and 4 together, real b: models of Theta, Theta', Theta''/2 at t = 0 give those on the box, S_k = (total
+    size of P_k) + e_k. *)
 Definition box_model : Prop := forall b0 r (Theta : R -> R -> R) (model : nat -> list R * R) t0 s B (d I K : nat) u eta,
   (forall eta, is_Theta_entire (b0 + r * eta) (Theta eta)) ->
   (forall k, (k < 3)%nat -> is_model (model k) (fun eta => Derive_n (Theta eta) k 0 / INR (fact k))) ->
@@ -101,7 +105,8 @@ Definition solution_with_values : Prop := forall b t0 y0 y1 y2, exists f,
   solution b f /\ f t0 = y0 /\ Derive f t0 = y1 /\ Derive_n f 2 t0 = y2 /\
   forall g, solution b g -> g t0 = y0 -> Derive g t0 = y1 -> Derive_n g 2 t0 = y2 -> forall t, g t = f t.
 
-(** a_k = |c_k| s^k for the coefficients c at t0. The last three before n bound what is left out from n on, in F, F' and F''/2 (d = 0, 1, 2). *)
+(** a_k = |c_k| s^k for the coefficients c at t0. The last three before n bound what is left out from n on, in F, F' and
+    F''/2 (d = 0, 1, 2). *)
 Definition three_tails : Prop := forall b t0 s B (c : nat -> R) (n d N : nat), 0 < s -> 1 <= B -> Rabs b + 2 <= B ->
   (d <= 2)%nat -> (5 <= n)%nat ->
   (forall k, (INR k + 1) * (INR k + 2) * (INR k + 3) * c (k + 3)%nat
@@ -113,8 +118,8 @@ Definition three_tails : Prop := forall b t0 s B (c : nat -> R) (n d N : nat), 0
   sum_first (fun i => Binomial.C (n + i) d * a (n + i)%nat) N
     <= Binomial.C (n - 1) d * (3 * Rmax (a (n - 3)%nat) (Rmax (a (n - 2)%nat) (a (n - 1)%nat))).
 
-(** A step of the recurrence, a_(k+3) = alpha a_(k+1) + (g - r eta) a_k, from models with as many coefficients: each new coefficient is rounded by at most
-    one unit, that of the next power of eta is left out. *)
+(** A step of the recurrence, a_(k+3) = alpha a_(k+1) + (g - r eta) a_k, from models with as many coefficients: each new
+    coefficient is rounded by at most one unit, that of the next power of eta is left out. *)
 Definition rounded_step : Prop := forall unit alpha g r (x y m : list R) ex ey (f f1 : R -> R), 0 <= r ->
   (0 < length x)%nat -> length y = length x -> length m = length x -> is_model (x, ex) f -> is_model (y, ey) f1 ->
   (forall j, (j < length x)%nat ->
@@ -122,8 +127,8 @@ Definition rounded_step : Prop := forall unit alpha g r (x y m : list R) ex ey (
   is_model (m, Rabs alpha * ey + (Rabs g + r) * ex + r * Rabs (last x 0) + INR (length x) * unit)
     (fun eta => alpha * f1 eta + (g - r * eta) * f eta).
 
-(** The series at t0 evaluated at t0 + s u, |u| <= 1: p_k is the k-th coefficient a_k up to e_k, n of them, e_(n-1) holds the rest too, S_k is at least
-    |p_k| + e_k; w_j is u^j, rounded by at most j delta. *)
+(** The series at t0 evaluated at t0 + s u, |u| <= 1: p_k is the k-th coefficient a_k up to e_k, n of them, e_(n-1)
+    holds the rest too, S_k is at least |p_k| + e_k; w_j is u^j, rounded by at most j delta. *)
 Definition moved_series : Prop := forall b t0 s B f (n d : nat) (p e S w : nat -> R) u delta, solution b f ->
   0 < s -> 1 <= B -> Rabs b + 2 <= B -> (d <= 2)%nat -> (5 <= n)%nat ->
   let q := Rabs t0 * s ^ 2 / ((INR (n - 5) + 2) * (INR (n - 5) + 3))
@@ -131,23 +136,27 @@ Definition moved_series : Prop := forall b t0 s B f (n d : nat) (p e S w : nat -
   q <= 1 / 2 -> Rabs u <= 1 ->
   let a k := Derive_n f k t0 / INR (fact k) * s ^ k in
   let rest := 3 * Rmax (Rabs (a (n - 3)%nat)) (Rmax (Rabs (a (n - 2)%nat)) (Rabs (a (n - 1)%nat))) in
-  (forall k, (k < n - 1)%nat -> Rabs (a k - p k) <= e k) -> Rabs (a (n - 1)%nat - p (n - 1)%nat) + rest <= e (n - 1)%nat ->
+  (forall k, (k < n - 1)%nat -> Rabs (a k - p k) <= e k) ->
+  Rabs (a (n - 1)%nat - p (n - 1)%nat) + rest <= e (n - 1)%nat ->
   (forall k, (k < n)%nat -> Rabs (p k) + e k <= S k) ->
   0 <= delta -> (forall j, (j < n)%nat -> Rabs (w j - u ^ j) <= INR j * delta) ->
   Rabs (s ^ d * Derive_n f d (t0 + s * u) / INR (fact d)
       - sum_first (fun j => Binomial.C (d + j) d * p (d + j)%nat * w j) (n - d))
-    <= sum_first (fun j => Binomial.C (d + j) d * (Rabs (w j) * e (d + j)%nat + INR (d + j) * delta * S (d + j)%nat)) (n - d).
+    <= sum_first (fun j => Binomial.C (d + j) d * (Rabs (w j) * e (d + j)%nat + INR (d + j) * delta * S (d + j)%nat))
+      (n - d).
 
-(** The errors of the values of F at t0, taken as those of G, are multiplied by the sizes of the three solutions E_j with unit values. *)
-Definition carried_errors : Prop := forall b t0 s (F G : R -> R) (E : nat -> R -> R) (e : nat -> R) (d : nat) t, 0 < s -> (d <= 2)%nat ->
+(** The errors of the values of F at t0, taken as those of G, are multiplied by the sizes of the three solutions E_j
+    with unit values. *)
+Definition carried_errors : Prop := forall b t0 s (F G : R -> R) (E : nat -> R -> R) (e : nat -> R) (d : nat) t,
+  0 < s -> (d <= 2)%nat ->
   solution b F -> solution b G -> (forall j, (j < 3)%nat -> solution b (E j)) ->
   let a f k := Derive_n f k t0 / INR (fact k) * s ^ k in
   (forall i j, (i < 3)%nat -> (j < 3)%nat -> a (E j) i = if Nat.eqb i j then 1 else 0) ->
   (forall j, (j < 3)%nat -> Rabs (a F j - a G j) <= e j) ->
   Rabs (Derive_n F d t - Derive_n G d t) <= sum_first (fun j => e j * Rabs (Derive_n (E j) d t)) 3.
 
-(** On the box |u| <= 1, |eta| <= 1/2: F^(d) is the first coefficient of its first model up to the rest of that one, the other terms and the errors;
-    so it has the sign of that coefficient if that is greater. *)
+(** On the box |u| <= 1, |eta| <= 1/2: F^(d) is the first coefficient of its first model up to the rest of that one, the
+    other terms and the errors; so it has the sign of that coefficient if that is greater. *)
 Definition half_size (m : list R) : R := fold_right (fun a sum => Rabs a + sum / 2) 0 m.
 
 Definition box_value : Prop := forall b t0 s B f (n d : nat) (m : nat -> list R) (e : nat -> R) u eta, solution b f ->

@@ -1,8 +1,8 @@
 (** * What is proved about a validated step of an ordinary differential equation: definitions and statements
 
-    This file holds no proof; [Theorems.v] proves each statement under its name. The page is proofs/validated_step.md, sections 3 and 5.
-    A vector is a number for each member of a finite type I, and the list [all] holds its members. A vector field f gives for each i the
-    component f_i, a function of the whole vector. *)
+    This file holds no proof; [Theorems.v] proves each statement under its name. The page is proofs/validated_step.md,
+    sections 3 and 5. A vector is a number for each member of a finite type I, and the list [all] holds its members. A
+    vector field f gives for each i the component f_i, a function of the whole vector. *)
 
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
@@ -19,8 +19,10 @@ Definition norm_at_most {I : Type} (w v : I -> R) (c : R) : Prop := forall i, Ra
 Definition logarithmic_norm_at_most {I : Type} (all : list I) (w : I -> R) (A : I -> I -> R) (mu : R) : Prop :=
   forall i, A i i - Rabs (A i i) + total all (fun j => Rabs (A i j) * (w j / w i)) <= mu.
 
-(** J is the matrix of the partial derivatives of f, which is differentiable in each direction at each point of the box. *)
-Definition jacobian_on {I : Type} (all : list I) (f : I -> (I -> R) -> R) (J : I -> I -> (I -> R) -> R) (low high : I -> R) : Prop :=
+(** J is the matrix of the partial derivatives of f, which is differentiable in each direction at each point of the
+    box. *)
+Definition jacobian_on {I : Type} (all : list I) (f : I -> (I -> R) -> R) (J : I -> I -> (I -> R) -> R)
+    (low high : I -> R) : Prop :=
   forall v, in_box low high v -> forall i (d : I -> R),
     is_derive (fun s => f i (fun j => v j + s * d j)) 0 (total all (fun j => J i j v * d j)).
 
@@ -28,10 +30,11 @@ Definition jacobian_on {I : Type} (all : list I) (f : I -> (I -> R) -> R) (J : I
 Definition solves {I : Type} (f : I -> (I -> R) -> R) (h : R) (xi : I -> R -> R) (T : R) : Prop :=
   forall i t, 0 <= t <= T -> is_derive (xi i) t (h * f i (fun j => xi j t)).
 
-(** Theorem V1: what is checked of a step. x is the approximation, x' its derivative, delta bounds its defect; the box holds all that is closer than
-    [radius] to it; J is bounded there, its logarithmic norm by mu; r is the radius of the tube for starts within e0 of x(0). *)
-Record step_checked {I : Type} (all : list I) (f : I -> (I -> R) -> R) (J : I -> I -> (I -> R) -> R) (low high w : I -> R)
-    (x x' : I -> R -> R) (h mu delta e0 radius r : R) : Prop := StepChecked {
+(** Theorem V1: what is checked of a step. x is the approximation, x' its derivative, delta bounds its defect; the box
+    holds all that is closer than [radius] to it; J is bounded there, its logarithmic norm by mu; r is the radius of the
+    tube for starts within e0 of x(0). *)
+Record step_checked {I : Type} (all : list I) (f : I -> (I -> R) -> R) (J : I -> I -> (I -> R) -> R)
+    (low high w : I -> R) (x x' : I -> R -> R) (h mu delta e0 radius r : R) : Prop := StepChecked {
   positive_weights : forall i, 0 < w i;
   positive_length : 0 < h;
   derivatives : jacobian_on all f J low high;
@@ -45,7 +48,8 @@ Record step_checked {I : Type} (all : list I) (f : I -> (I -> R) -> R) (J : I ->
 }.
 
 (** The solution from each such start exists, is the only one, and stays in the tube. *)
-Definition validated_step : Prop := forall (I : Type) (all : list I) f J (low high w : I -> R) (x x' : I -> R -> R) h mu delta e0 radius r,
+Definition validated_step : Prop := forall (I : Type) (all : list I) f J (low high w : I -> R) (x x' : I -> R -> R)
+  h mu delta e0 radius r,
   (forall i, In i all) -> step_checked all f J low high w x x' h mu delta e0 radius r ->
   forall start : I -> R, norm_at_most w (fun i => start i - x i 0) e0 ->
   exists xi : I -> R -> R, (forall i, xi i 0 = start i) /\ solves f h xi 1 /\

@@ -1,7 +1,8 @@
 (** * The theorems
 
-    Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v], [StatementStep.v], [StatementCertificate.v] and
-    [StatementChecker.v] is proved here under its own name, from the files named for the steps. *)
+    Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v],
+    [StatementStep.v], [StatementCertificate.v] and [StatementChecker.v] is proved here under its own name, from the
+    files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -15,8 +16,10 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CompliantPower CompliantLaw CompliantUpper
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns.
-From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep ValidatedStep.
-From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate StatementChecker.
+From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep
+  ValidatedStep.
+From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate
+  StatementChecker.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -113,10 +116,12 @@ Theorem tail_few_zeros : Statement.tail_few_zeros.
 Proof. exact BudanTails.tail_few_zeros. Qed.
 
 Theorem recurrence_tail : StatementModels.recurrence_tail.
-Proof. intros b t0 s B c I N Hs HB Hb Hc a q Hq. exact (RecurrenceTail.recurrence_tail b t0 s B c I Hs HB Hb Hc Hq N). Qed.
+Proof. intros b t0 s B c I N Hs HB Hb Hc a q Hq. exact (RecurrenceTail.recurrence_tail b t0 s B c I Hs HB Hb Hc Hq N).
+Qed.
 
 Theorem derivative_tail : StatementModels.derivative_tail.
-Proof. intros b X B c d K N HX HB Hb HK Hc v y q Hq. exact (DerivativeTail.derivative_tail b X B c d HX HB Hb Hc K N HK Hq). Qed.
+Proof. intros b X B c d K N HX HB Hb HK Hc v y q Hq.
+exact (DerivativeTail.derivative_tail b X B c d HX HB Hb Hc K N HK Hq). Qed.
 
 (** ** Impact without collision at leading order *)
 
@@ -171,7 +176,8 @@ split.
 - apply (ex_derive_ext_loc (fun b => Th b t)); [|apply Th_ex_derive, Hb].
   eapply filter_imp; [|apply (EL b t Hb)]. intros x Hx. symmetry. exact Hx.
 - apply (joint_ext_loc Th_slope (fun t b => Derive (fun b => Theta b t) b)); [|apply Th_slope_joint, Hb].
-  eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy u. unfold Th_slope. symmetry. apply Derive_ext_loc, EL, Hy.
+  eapply filter_imp; [|apply (not_nat_open b Hb)]. intros y Hy u. unfold Th_slope. symmetry.
+  apply Derive_ext_loc, EL, Hy.
 Qed.
 
 Theorem zeros_differentiable : Statement.zeros_differentiable.
@@ -185,7 +191,8 @@ assert (E2 : Derive_n (Theta b) 2 (z b) = Derive_n (Th b) 2 (z b)).
 assert (E1 : Derive (fun b' => Derive (Theta b') (z b)) b = slope_in_b (z b) b).
 { rewrite (Derive_ext_loc _ (fun b' => Derive (Th b') (z b))).
   - apply is_derive_unique, slope_in_b_derive, (cell_is_not_nat m b Hb).
-  - eapply filter_imp; [|apply (cell_open m b Hb)]. intros y Hy. apply Derive_ext. intros s. apply (Th_is y (Theta y)), H, Hy. }
+  - eapply filter_imp; [|apply (cell_open m b Hb)]. intros y Hy. apply Derive_ext. intros s.
+    apply (Th_is y (Theta y)), H, Hy. }
 rewrite E1, E2. exact D.
 Qed.
 
@@ -245,7 +252,8 @@ exists delta. split; auto. intros b theta l HT Zl.
 destruct (H b l (zeros_of_Th b theta l HT Zl)) as [HL HR].
 split; intros Hb.
 - destruct (HL Hb) as (lo & xs & E & [E1 E2] & M). exists lo, xs. exact (conj E (conj E1 (conj E2 M))).
-- destruct (HR Hb) as (lo & xs & z & E & [E1 E2] & Hz & M). exists lo, xs, z. exact (conj E (conj Hz (conj E1 (conj E2 M)))).
+- destruct (HR Hb) as (lo & xs & z & E & [E1 E2] & Hz & M). exists lo, xs, z.
+  exact (conj E (conj Hz (conj E1 (conj E2 M)))).
 Qed.
 
 Theorem left_end_integer : Statement.left_end_integer.
@@ -312,7 +320,8 @@ Proof. exact CarriedModel.carried_errors. Qed.
 
 Theorem box_value : StatementModels.box_value.
 Proof.
-intros b t0 s B f n d m e u eta H Hs HB Hb Hd Hn q Hq Hu He. exact (SignOnBox.box_value b t0 s B f n d m e u eta H Hs HB Hb Hd Hn Hq Hu He).
+intros b t0 s B f n d m e u eta H Hs HB Hb Hd Hn q Hq Hu He.
+exact (SignOnBox.box_value b t0 s B f n d m e u eta H Hs HB Hb Hd Hn Hq Hu He).
 Qed.
 
 (** ** The compliant model *)
@@ -326,7 +335,8 @@ Qed.
 Theorem motion_unique : StatementCompliant.motion_unique.
 Proof.
 intros force a1 a2 a3 eps lo t0 hi p b y v z p' b' y' v' z' Hf He H0 H H' Ep Eb Ey Ev Ez t Ht.
-assert (L : lipschitz_force (force eps)) by (destruct Hf as [-> | ->]; [apply contact_lipschitz|apply linear_lipschitz]; exact He).
+assert (L : lipschitz_force (force eps)) by (destruct Hf as [-> | ->]; [apply contact_lipschitz|apply linear_lipschitz];
+  exact He).
 apply (CompliantMotion.motion_unique a1 a2 a3 eps He force L) with (t0 := t0); auto;
   intros s Hs; [apply H|apply H']; revert Hs; unfold segment, Rmin, Rmax; destruct Rle_dec; lra.
 Qed.
@@ -336,11 +346,13 @@ Proof. intros a1 a2 a3 eps C Hp. do 5 eexists. apply (slow_motion_sol a1 a2 a3 e
 
 Theorem slow_motion_unique : StatementCompliant.slow_motion_unique.
 Proof.
-intros a1 a2 a3 eps C p b y v z p' b' y' v' z' Hp. exact (CompliantSlowMotion.slow_motion_unique a1 a2 a3 eps Hp C p b y v z p' b' y' v' z').
+intros a1 a2 a3 eps C p b y v z p' b' y' v' z' Hp.
+exact (CompliantSlowMotion.slow_motion_unique a1 a2 a3 eps Hp C p b y v z p' b' y' v' z').
 Qed.
 
 Theorem slow_motions_are_all : StatementCompliant.slow_motions_are_all.
-Proof. intros a1 a2 a3 eps p b y v z Hp. exact (CompliantSlowMotion.slow_motions_are_all a1 a2 a3 eps Hp p b y v z). Qed.
+Proof. intros a1 a2 a3 eps p b y v z Hp. exact (CompliantSlowMotion.slow_motions_are_all a1 a2 a3 eps Hp p b y v z).
+Qed.
 
 Theorem deviation_recover : StatementCompliant.deviation_recover.
 Proof. exact CompliantDeviation.deviation_recover. Qed.
@@ -349,7 +361,8 @@ Theorem side_rule : StatementCompliant.side_rule.
 Proof. intros a1 a2 a3 eps C p b y v z Hp. exact (CompliantSlowMotion.side_rule a1 a2 a3 eps Hp C p b y v z). Qed.
 
 Theorem force_deviation : StatementCompliant.force_deviation.
-Proof. intros a1 a2 a3 eps C p b y v z Hp HS. exact (CompliantSlowMotion.force_deviation a1 a2 a3 eps Hp C p b y v z HS). Qed.
+Proof. intros a1 a2 a3 eps C p b y v z Hp HS.
+exact (CompliantSlowMotion.force_deviation a1 a2 a3 eps Hp C p b y v z HS). Qed.
 
 Theorem IWC_compliant : StatementCompliant.IWC_compliant.
 Proof.
@@ -359,12 +372,14 @@ Qed.
 
 Theorem IWC_motion_exists : StatementCompliant.IWC_motion_exists.
 Proof.
-intros a1 a2 a3 eps C t0 P B Y V Z Hp HC HS. exact (CompliantSlowMotion.IWC_motion a1 a2 a3 eps Hp C P B Y V Z HS t0 HC).
+intros a1 a2 a3 eps C t0 P B Y V Z Hp HC HS.
+exact (CompliantSlowMotion.IWC_motion a1 a2 a3 eps Hp C P B Y V Z HS t0 HC).
 Qed.
 
 Theorem lift_off_compliant : StatementCompliant.lift_off_compliant.
 Proof.
-intros a1 a2 a3 eps C t0 p b y v z Hp HC HS. exact (CompliantSlowMotion.lift_off_compliant a1 a2 a3 eps Hp C p b y v z HS t0 HC).
+intros a1 a2 a3 eps C t0 p b y v z Hp HC HS.
+exact (CompliantSlowMotion.lift_off_compliant a1 a2 a3 eps Hp C p b y v z HS t0 HC).
 Qed.
 
 Theorem case_I : StatementCompliant.case_I.
@@ -374,7 +389,8 @@ Qed.
 
 Theorem case_II : StatementCompliant.case_II.
 Proof.
-intros a1 a2 a3 eps t1 p b y v z (H1 & H3 & He & Hb). exact (CompliantForward.case_II a1 a2 a3 eps H1 H3 He Hb t1 p b y v z).
+intros a1 a2 a3 eps t1 p b y v z (H1 & H3 & He & Hb).
+exact (CompliantForward.case_II a1 a2 a3 eps H1 H3 He Hb t1 p b y v z).
 Qed.
 
 Theorem leading_side_rule : StatementCompliant.leading_side_rule.
@@ -392,7 +408,8 @@ Proof. exact CompliantThreshold.leading_force_positive. Qed.
 Theorem IWC_below_threshold : StatementCompliant.IWC_below_threshold.
 Proof.
 intros a1 a2 a3 eps C1 theta m tau0 t0 P B Y V Z p b y v z Hp Hb H2 HC HT Hm Hl Hs HS Ht.
-exact (CompliantThreshold.IWC_below_threshold a1 a2 a3 eps C1 theta P B Y V Z Hp HT HS m tau0 t0 Hb H2 HC Hm Hl Hs Ht p b y v z).
+exact (CompliantThreshold.IWC_below_threshold a1 a2 a3 eps C1 theta P B Y V Z Hp HT HS m tau0 t0 Hb H2 HC Hm Hl Hs Ht p
+  b y v z).
 Qed.
 
 Theorem least_value_exists : StatementCompliant.least_value_exists.
@@ -409,7 +426,8 @@ split.
 Qed.
 
 Theorem open_set_holds_slow_motions : StatementCompliant.open_set_holds_slow_motions.
-Proof. intros a1 a2 a3 eps C t p b y v z Hp H13 HC HS. exact (slow_in_open_set a1 a2 a3 eps Hp C p b y v z HS t H13 HC). Qed.
+Proof. intros a1 a2 a3 eps C t p b y v z Hp H13 HC HS. exact (slow_in_open_set a1 a2 a3 eps Hp C p b y v z HS t H13 HC).
+Qed.
 
 Theorem IWC_late : StatementCompliant.IWC_late.
 Proof. exact late_IWC. Qed.
@@ -439,7 +457,8 @@ Theorem IWC_stable_every_state : StatementCompliant.IWC_stable_every_state.
 Proof. intros a1 a2 a3 eps K t0 P B Y V Z Hp. exact (stable_every a1 a2 a3 eps Hp K t0 P B Y V Z). Qed.
 
 Theorem contact_tail : StatementCompliant.contact_tail.
-Proof. intros a1 a2 a3 eps C n t0 p b y v z Hp HS. exact (CompliantSlowMotion.contact_tail a1 a2 a3 eps Hp C p b y v z HS n t0). Qed.
+Proof. intros a1 a2 a3 eps C n t0 p b y v z Hp HS.
+exact (CompliantSlowMotion.contact_tail a1 a2 a3 eps Hp C p b y v z HS n t0). Qed.
 
 Theorem force_zeros : StatementCompliant.force_zeros.
 Proof. intros a1 a2 a3 eps C n l p b y v z Hp HS. exact (slow_force_zeros a1 a2 a3 eps Hp C p b y v z HS n l). Qed.
@@ -531,7 +550,8 @@ Theorem weight_series : StatementCompliant.weight_series.
 Proof.
 intros N eta r HN He Hr x weight order. assert (H := series_remainder eta N r HN He Hr).
 change (Rabs (weight - sum_first order N) <= remainder_bound eta N (fun i => r ^ i * weight)) in H.
-eapply Rle_trans; [exact H|]. right. unfold remainder_bound. rewrite Rmult_assoc, (Rmult_comm (sum_first _ _)), <- (sum_first_scal weight). f_equal.
+eapply Rle_trans; [exact H|]. right. unfold remainder_bound.
+rewrite Rmult_assoc, (Rmult_comm (sum_first _ _)), <- (sum_first_scal weight). f_equal.
 apply sum_first_ext. intros m. ring.
 Qed.
 
@@ -539,7 +559,8 @@ Qed.
 Lemma scaled_is_slow b n eta F t : 0 < eta -> not_nat b -> is_slow (2 * eta ^ 3) b F ->
   Gamma (- b) * (Rpower eta (b - INR n) * Derive_n F n (t / eta)) = scaled_J eta (- b - 1) n t.
 Proof.
-intros He Hb HF. rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra). apply scaled_slow; auto.
+intros He Hb HF. rewrite (Derive_n_ext F (Fe (2 * eta ^ 3) b)) by (apply is_slow_Fe; auto; apply two_cube; lra).
+apply scaled_slow; auto.
 Qed.
 
 Theorem series_in_eta : StatementCompliant.series_in_eta.
@@ -549,7 +570,8 @@ assert (H := series_with_remainder b theta eta Hb HT He N HN n t Hn).
 assert (E : forall k, Gamma (- b) * G k = scaled_J eta (- b - 1) k t) by (intros k; apply scaled_is_slow; auto).
 rewrite Rmult_minus_distr_l, E, <- sum_first_scal.
 replace (sum_first (fun k => Gamma (- b) * order k) N) with (eta_series eta N (fun i => scaled b theta (n + i) t)).
-2: { apply sum_first_ext. intros k. unfold order. rewrite <- Rmult_assoc, (Rmult_comm (Gamma _)), Rmult_assoc, <- (sum_first_scal (Gamma _)). f_equal.
+2: { apply sum_first_ext. intros k. unfold order.
+     rewrite <- Rmult_assoc, (Rmult_comm (Gamma _)), Rmult_assoc, <- (sum_first_scal (Gamma _)). f_equal.
      apply sum_first_ext. intros m. unfold scaled. rewrite <- (Nat.add_assoc n). ring. }
 eapply Rle_trans; [exact H|]. right. unfold series_bound, remainder_bound. f_equal.
 apply sum_first_ext. intros m. rewrite E, <- Nat.add_assoc. reflexivity.
@@ -559,10 +581,12 @@ Theorem monotone_beyond_polynomial : StatementCompliant.monotone_beyond_polynomi
 Proof.
 intros b n M K eta eta' theta F F' t Hb He H4 HK HT HF HF' part ex.
 assert (E : forall e G, 0 < e -> is_slow (2 * e ^ 3) b G -> ex e G = polynomial_excess M K b theta e n t).
-{ intros e G He0 HG. unfold ex, polynomial_excess, polynomial_series. rewrite <- (scaled_is_slow b n e G t He0 Hb HG), sum_first_head.
+{ intros e G He0 HG. unfold ex, polynomial_excess, polynomial_series.
+  rewrite <- (scaled_is_slow b n e G t He0 Hb HG), sum_first_head.
   rewrite (sum_first_head _ (K 0%nat)), (sum_first_zero (fun k => series_coefficient (S k) 0 * _ * _)).
   2: { intros k. rewrite coefficient_0. ring. }
-  rewrite (sum_first_ext (fun i => sum_first (fun k => series_coefficient k (S i) * e ^ k * scaled b theta (n + (k + 3 * S i)) t) (S (K (S i))))
+  rewrite (sum_first_ext (fun i => sum_first (fun k => series_coefficient k (S i) * e ^ k * scaled b theta
+    (n + (k + 3 * S i)) t) (S (K (S i))))
     (fun i => Gamma (- b) * part e (S i)) M), sum_first_scal.
   2: { intros i. unfold part. rewrite <- sum_first_scal. apply sum_first_ext. intros k.
        unfold scaled. replace (n + k + 3 * S i)%nat with (n + (k + 3 * S i))%nat by lia. ring. }
@@ -576,10 +600,13 @@ Theorem monotone_next_order : StatementCompliant.monotone_next_order.
 Proof.
 intros b n eta eta' theta F F' t Hb Hn He HT HF HF' ex.
 assert (H := monotone_beyond_polynomial b n 1%nat (fun _ => 2%nat) eta eta' theta F F' t Hb He ltac:(simpl; lra)
-  ltac:(intros m Hm; replace m with 1%nat by lia; split; [exists 0%nat; reflexivity|simpl; lra]) HT HF HF'). cbv zeta in H.
+  ltac:(intros m Hm; replace m with 1%nat by lia; split; [exists 0%nat; reflexivity|simpl; lra]) HT HF HF').
+  cbv zeta in H.
 assert (E : forall e G, Gamma (- b) * (Rpower e (b - INR n) * Derive_n G n (t / e) - Derive_n theta n t
-  - sum_first (fun i => sum_first (fun k => series_coefficient k (S i) * e ^ k * Derive_n theta (n + k + 3 * S i) t) 3) 1) = ex e G).
-{ intros e G. unfold ex. cbn [sum_first Nat.mul Nat.add]. replace (n + 1 + 3)%nat with (n + 4)%nat by lia. replace (n + 2 + 3)%nat with (n + 5)%nat by lia.
+  - sum_first (fun i => sum_first (fun k => series_coefficient k (S i) * e ^ k * Derive_n theta (n + k + 3 * S i) t) 3)
+      1) = ex e G).
+{ intros e G. unfold ex. cbn [sum_first Nat.mul Nat.add]. replace (n + 1 + 3)%nat with (n + 4)%nat by lia.
+  replace (n + 2 + 3)%nat with (n + 5)%nat by lia.
   unfold series_coefficient. simpl (INR _). simpl pow. field. }
 rewrite <- (E eta F), <- (E eta' F'). exact H.
 Qed.
@@ -593,7 +620,8 @@ Qed.
 Theorem IWC_by_corrected_force : StatementCompliant.IWC_by_corrected_force.
 Proof.
 intros a1 a2 a3 eps C1 M K theta n t0 t1 P B Y V Z p b y v z Hp Hn HE HC HT HS.
-exact (CompliantCorrection.IWC_by_corrected_force a1 a2 a3 eps C1 theta P B Y V Z M K Hp HT HS n t0 t1 p b y v z Hn HE HC).
+exact (CompliantCorrection.IWC_by_corrected_force a1 a2 a3 eps C1 theta P B Y V Z M K Hp HT HS n t0 t1 p b y v z Hn HE
+  HC).
 Qed.
 
 (** ** Theorem D *)
@@ -615,11 +643,13 @@ Theorem slow_law : StatementCompliant.slow_law.
 Proof.
 intros e b F He HF.
 assert (Z : forall (m : nat) l, INR m < b < INR m + 1 -> line_pattern (Fe e b) (slope e b) 1 l -> simple_zeros F l).
-{ intros m l Hm P. destruct (Gamma_cell m b Hm) as [Hb _]. apply (simple_zeros_ext F (Fe e b)); [apply is_slow_Fe; auto|].
+{ intros m l Hm P. destruct (Gamma_cell m b Hm) as [Hb _].
+  apply (simple_zeros_ext F (Fe e b)); [apply is_slow_Fe; auto|].
   apply (pattern_simple _ (slope e b) 1); auto. intros t. apply slow_derive; auto. }
 refine (conj _ (conj _ _)); intros H.
 - destruct (zeros_0 e He b H) as (t & Ht & P). exists t. split; [exact Ht|]. apply (Z 0%nat); [simpl; lra|exact P].
-- destruct (zeros_1 e He b H) as (s & t & Ht & P). exists s, t. split; [exact Ht|]. apply (Z 1%nat); [simpl; lra|exact P].
+- destruct (zeros_1 e He b H) as (s & t & Ht & P). exists s, t. split; [exact Ht|].
+  apply (Z 1%nat); [simpl; lra|exact P].
 - destruct (zeros_2 e He b H) as (t & Ht & P). exists t. split; [exact Ht|]. apply (Z 2%nat); [simpl; lra|exact P].
 Qed.
 
@@ -631,7 +661,8 @@ Proof. intros E (S & Z). split; auto. intros t. rewrite E. apply Z. Qed.
 
 Theorem slow_valley : StatementCompliant.slow_valley.
 Proof.
-intros e b F He H34 HF. assert (Hb := proj1 (Gamma_cell 3 b ltac:(simpl; lra))). assert (E := is_slow_Fe e b F He Hb HF).
+intros e b F He H34 HF. assert (Hb := proj1 (Gamma_cell 3 b ltac:(simpl; lra))).
+assert (E := is_slow_Fe e b F He Hb HF).
 destruct (CompliantCritical.slow_valley b H34 e He) as (m & Hm & L & U & Left & Right & Neg & Touch & Pos).
 exists m. rewrite E. refine (conj Hm (conj _ (conj _ (conj _ (conj _ (conj _ (conj _ _))))))).
 - intros s t Hst Ht. rewrite !E. auto.
@@ -639,14 +670,17 @@ exists m. rewrite E. refine (conj Hm (conj _ (conj _ (conj _ (conj _ (conj _ (co
 - apply (is_lim_ext (Fe e b)); auto.
 - apply (is_lim_ext (Fe e b)); auto.
 - intros N. destruct (Neg N) as (s & t & Hst & Z). exists s, t. split; auto. exact (simple_zeros_ext F _ _ E Z).
-- intros Em. destruct (Touch Em) as [Z D]. split; [exact (zeros_of_ext F _ _ E Z)|]. rewrite (Derive_n_ext F (Fe e b)) by exact E. exact D.
+- intros Em. destruct (Touch Em) as [Z D]. split; [exact (zeros_of_ext F _ _ E Z)|].
+  rewrite (Derive_n_ext F (Fe e b)) by exact E. exact D.
 - intros P t. rewrite E. auto.
 Qed.
 
 Theorem critical_eps : StatementCompliant.critical_eps.
 Proof.
-intros b H34. assert (Hb := proj1 (Gamma_cell 3 b ltac:(simpl; lra))). destruct (CompliantCritical.critical_eps b H34) as (ec & Hec & H).
-exists ec. split; auto. intros e F He HF. assert (E := is_slow_Fe e b F He Hb HF). destruct (H e He) as (Two & One & None).
+intros b H34. assert (Hb := proj1 (Gamma_cell 3 b ltac:(simpl; lra))).
+destruct (CompliantCritical.critical_eps b H34) as (ec & Hec & H).
+exists ec. split; auto. intros e F He HF. assert (E := is_slow_Fe e b F He Hb HF).
+destruct (H e He) as (Two & One & None).
 refine (conj _ (conj _ _)).
 - intros Hlt. destruct (Two Hlt) as (s & t & Hst & Z). exists s, t. split; auto. exact (simple_zeros_ext F _ _ E Z).
 - intros Eq. destruct (One Eq) as (t & Z & D1 & D2). exists t. split; [exact (zeros_of_ext F _ _ E Z)|].
@@ -662,7 +696,8 @@ Proof.
 intros b eta eta0 mu theta F t Hb H4 He Hmu Hmu3 HT HF.
 assert (H := CompliantUpper.slow_upper_bound eta0 mu Hmu Hmu3 b theta Hb HT eta 0 t He ltac:(simpl; lra)).
 rewrite <- (scaled_slow b 0 eta t) in H by (auto; lra). unfold stretched, scaled, slope_weight in H.
-replace (- (- b - 1 + INR 0 + 2)) with (b - 1) in H by (simpl; ring). replace (b - INR 0) with b in H by (simpl; ring). cbn [Derive_n] in H.
+replace (- (- b - 1 + INR 0 + 2)) with (b - 1) in H by (simpl; ring). replace (b - INR 0) with b in H by (simpl; ring).
+cbn [Derive_n] in H.
 change (Derive (fun x => theta x)) with (Derive theta) in H.
 rewrite (is_slow_Fe (2 * eta ^ 3) b F) by (auto; apply two_cube; lra). lra.
 Qed.
@@ -671,13 +706,15 @@ Qed.
 
 Theorem z_stays_nonpositive : StatementFlight.z_stays_nonpositive.
 Proof.
-intros a1 a2 a3 eps t0 p b y v z He Hm Hz t Ht. exact (CompliantFlight.z_stays_nonpositive a1 a2 a3 eps p b y v z t0 t He Hm Hz Ht).
+intros a1 a2 a3 eps t0 p b y v z He Hm Hz t Ht.
+exact (CompliantFlight.z_stays_nonpositive a1 a2 a3 eps p b y v z t0 t He Hm Hz Ht).
 Qed.
 
 Theorem flight_ends : StatementFlight.flight_ends.
 Proof.
 intros a1 a2 a3 eps t0 p b y v z He Hm (E0 & Hup) Hz H2.
-destruct (CompliantFlight.flight_ends a1 a2 a3 eps He p b y v z t0 Hm E0 Hup Hz H2) as (t1 & d & H01 & Hd & Hfly & E1 & Hdown & Hafter & F).
+destruct (CompliantFlight.flight_ends a1 a2 a3 eps He p b y v z t0 Hm E0 Hup Hz H2)
+  as (t1 & d & H01 & Hd & Hfly & E1 & Hdown & Hafter & F).
 exists t1. refine (conj H01 (conj Hfly (conj _ (conj E1 (conj Hdown (ex_intro _ d (conj Hd Hafter))))))).
 intros t Ht. destruct (F t Ht) as (Fb & Fy & Fv & Fz). exact (conj Fb (conj Fv (conj Fy Fz))).
 Qed.
@@ -685,7 +722,8 @@ Qed.
 Theorem flight_never_ends : StatementFlight.flight_never_ends.
 Proof.
 intros a1 a2 a3 eps t0 p b y v z He Hm (E0 & Hup) Hz H2 Hb t Ht.
-destruct (CompliantFlight.flight_never_ends a1 a2 a3 eps He p b y v z t0 Hm E0 Hup Hz H2 Hb t Ht) as (N & Fb & Fy & Fv & Fz).
+destruct (CompliantFlight.flight_never_ends a1 a2 a3 eps He p b y v z t0 Hm E0 Hup Hz H2 Hb t Ht)
+  as (N & Fb & Fy & Fv & Fz).
 exact (conj N (conj Fb (conj Fv (conj Fy Fz)))).
 Qed.
 
@@ -700,7 +738,9 @@ Proof.
 intros a1 a2 a3 eps C t0 P B Y V Z p b y v z Hp Hbeta HC H2 HS Hyz Hm Ep Eb Ey Ev Ez.
 destruct (CompliantSlowFlight.slow_flight a1 a2 a3 eps C Hp P B Y V Z HS t0 p b y v z Hbeta HC H2 Hyz Hm Ep Eb Ey Ev Ez)
   as (t1 & t2 & d & H12 & Hd & Hc & E1 & Hup & Hz & Hfly & E2 & Hdown & Hafter).
-exists t1, t2. exact (conj H12 (conj Hc (conj (conj E1 Hup) (conj Hz (conj Hfly (conj E2 (conj Hdown (ex_intro _ d (conj Hd Hafter))))))))).
+exists t1, t2. exact
+  (conj H12 (conj Hc
+    (conj (conj E1 Hup) (conj Hz (conj Hfly (conj E2 (conj Hdown (ex_intro _ d (conj Hd Hafter))))))))).
 Qed.
 
 (** ** Contacts that last for ever *)
@@ -711,7 +751,8 @@ intros a1 a2 a3 eps t0 p b y v z H1 H13 H2 He Hm Hp Hyz Hv HG HD.
 apply (CompliantGrowth.contact_lasts a1 a2 a3 eps t0 p b y v z He Hm). intros P B Y V Z Hlin HP HB HY HV HZ.
 apply (CompliantGrowth.below_one a1 a2 a3 eps He P B Y V Z Hlin H1 t0 H13 H2).
 - unfold CompliantGrowth.q. lra.
-- unfold CompliantGrowth.L, linear_force. rewrite HY, HZ. apply Rmult_le_pos. lra. apply Rlt_le, Rinv_0_lt_compat, pow_lt, He.
+- unfold CompliantGrowth.L, linear_force. rewrite HY, HZ. apply Rmult_le_pos. lra.
+  apply Rlt_le, Rinv_0_lt_compat, pow_lt, He.
 - unfold CompliantGrowth.W. rewrite HV. apply Rmult_le_pos. lra. apply Rlt_le, Rinv_0_lt_compat, He.
 - unfold CompliantGrowth.G. rewrite HP, HB, HY, HZ. exact HG.
 - unfold CompliantGrowth.D. rewrite HY, HV, HZ. exact HD.

@@ -1,12 +1,14 @@
 (** * Theta is an entire function of t and b
 
-    The initial values of the entire form are entire in b ([recip_Gamma_entire]). So is every Taylor coefficient c_k in t, by its recurrence; and on
-    |b - b0| < r its norm is at most the k-th coefficient of the recurrence for - |b0| - r, which is below M/R^k for every R ([entire_family]).
-    Hence a double power series in (t, b) that converges everywhere; and t may be replaced by a power series in b ([family_substitute]). *)
+    The initial values of the entire form are entire in b ([recip_Gamma_entire]). So is every Taylor coefficient c_k in
+    t, by its recurrence; and on |b - b0| < r its norm is at most the k-th coefficient of the recurrence for - |b0| - r,
+    which is below M/R^k for every R ([entire_family]). Hence a double power series in (t, b) that converges everywhere;
+    and t may be replaced by a power series in b ([family_substitute]). *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus GammaFunction WellPosed Gronwall SignsAtZero EntireForm PowerSeriesNorm NormLimit GammaEntire.
+From GSpot Require Import Statement Calculus GammaFunction WellPosed Gronwall SignsAtZero EntireForm PowerSeriesNorm
+  NormLimit GammaEntire.
 Open Scope R_scope.
 
 (** ** Families of coefficients *)
@@ -25,7 +27,8 @@ assert (B : forall R, 0 < R -> Rbar_le R (CV_radius (fun k => c k b))).
   apply (proj1 (CV_radius_bounded (fun k => c k b))). exists M. intros k.
   assert (P : 0 < R ^ k) by (apply pow_lt, HR).
   assert (V := norm_value 1 _ _ 0 Rlt_0_1 (HM k) ltac:(rewrite Rabs_R0; lra)). simpl in V. rewrite Rplus_0_r in V.
-  rewrite Rabs_mult, (Rabs_pos_eq (R ^ k)) by lra. replace M with (M / R ^ k * R ^ k) by (field; lra). apply Rmult_le_compat_r; [lra|exact V]. }
+  rewrite Rabs_mult, (Rabs_pos_eq (R ^ k)) by lra. replace M with (M / R ^ k * R ^ k) by (field; lra).
+  apply Rmult_le_compat_r; [lra|exact V]. }
 destruct (CV_radius (fun k => c k b)) as [x| |]; auto.
 - assert (X := B (Rabs x + 1) ltac:(generalize (Rabs_pos x); lra)). simpl in X. assert (A := Rle_abs x). lra.
 - exfalso. apply (B 1 Rlt_0_1).
@@ -34,7 +37,8 @@ Qed.
 Lemma family_correct c t b : entire_family c -> is_pseries (fun k => c k b) t (family_sum c t b).
 Proof. intros H. apply PSeries_correct, CV_radius_inside. rewrite family_radius; auto. exact I. Qed.
 
-Lemma family_substitute c b r X : entire_family c -> 0 < r -> 0 < X -> exists M, forall r' x, 0 < r' <= r -> norm_at_most r' X x ->
+Lemma family_substitute c b r X : entire_family c -> 0 < r -> 0 < X -> exists M, forall r' x, 0 < r' <= r ->
+  norm_at_most r' X x ->
   norm_at_most r' M (fun h => family_sum c (x h) (b + h)).
 Proof.
 intros H Hr HX. destruct (H b r (2 * X) Hr ltac:(lra)) as [M HM]. exists (M * 2). intros r' x Hr' Hx.
@@ -62,7 +66,8 @@ Lemma family_derive c t b : entire_family c -> is_derive (fun t => family_sum c 
 Proof. intros H. apply (is_derive_PSeries (fun k => c k b)). rewrite family_radius; auto. exact I. Qed.
 
 Lemma power_of_2 n : INR n <= 2 ^ n.
-Proof. induction n as [|n IH]. simpl; lra. rewrite S_INR. simpl. assert (1 <= 2 ^ n) by (apply pow_R1_Rle; lra). lra. Qed.
+Proof. induction n as [|n IH]. simpl; lra. rewrite S_INR. simpl. assert (1 <= 2 ^ n) by (apply pow_R1_Rle; lra). lra.
+Qed.
 
 Lemma derived_entire c : entire_family c -> entire_family (derived c).
 Proof.
@@ -74,7 +79,8 @@ apply (norm_weaken r (Rabs (INR (S k)) * (M / (2 * R) ^ S k))).
   rewrite Rpow_mult_distr. change (R ^ S k) with (R * R ^ k).
   replace (INR (S k) * (M / (2 ^ S k * (R * R ^ k)))) with (INR (S k) * / 2 ^ S k * (M / R / R ^ k)) by (field; lra).
   assert (Q : INR (S k) * / 2 ^ S k <= 1).
-  { apply Rmult_le_reg_r with (2 ^ S k); auto. rewrite Rmult_assoc, Rinv_l, Rmult_1_r, Rmult_1_l by lra. apply power_of_2. }
+  { apply Rmult_le_reg_r with (2 ^ S k); auto. rewrite Rmult_assoc, Rinv_l, Rmult_1_r, Rmult_1_l by lra.
+    apply power_of_2. }
   rewrite <- (Rmult_1_l (M / R / R ^ k)) at 2. apply Rmult_le_compat_r; auto.
   unfold Rdiv. apply Rmult_le_pos; [apply Rmult_le_pos; auto|]; apply Rlt_le, Rinv_0_lt_compat; auto.
 - apply (norm_scal r _ (INR (S k)) (fun h => c (S k) (b + h))), HM.
@@ -102,7 +108,8 @@ assert (R0 : entire (fun b => recip_Gamma (- b / 3))).
 { apply (entire_ext (fun b => recip_Gamma ((0 - b) / 3))). intros b. f_equal. field. apply entire_recip_thirds. }
 assert (R1 := entire_recip_thirds 1). assert (R2 := entire_recip_thirds 2).
 repeat split.
-- apply (entire_ext (fun b => 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 0) * recip_Gamma ((1 - b) / 3) * recip_Gamma ((2 - b) / 3))).
+- apply (entire_ext (fun b => 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 0) * recip_Gamma ((1 - b) / 3) * recip_Gamma
+    ((2 - b) / 3))).
   + intros b. unfold E0. rewrite Rplus_0_r. reflexivity.
   + apply (entire_mult (fun b => 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 0) * recip_Gamma ((1 - b) / 3))); auto.
     apply (entire_mult (fun b => 2 * PI * Rpower 3 (2 * b / 3 - 1 / 2 + 0))); auto. apply entire_shifted_power.
@@ -114,18 +121,22 @@ Qed.
 
 Definition theta_coefficient (k : nat) (b : R) : R := coef b (E0 b) (E1 b) (E2 b) k.
 
-Lemma coefficient_norm b r m0 m1 m2 : 0 < r -> norm_at_most r m0 (fun h => E0 (b + h)) -> norm_at_most r m1 (fun h => E1 (b + h)) ->
-  norm_at_most r m2 (fun h => E2 (b + h)) -> forall k, norm_at_most r (coef (- (Rabs b + r)) m0 m1 m2 k) (fun h => theta_coefficient k (b + h)).
+Lemma coefficient_norm b r m0 m1 m2 : 0 < r -> norm_at_most r m0 (fun h => E0 (b + h)) ->
+  norm_at_most r m1 (fun h => E1 (b + h)) ->
+  norm_at_most r m2 (fun h => E2 (b + h)) -> forall k, norm_at_most r (coef (- (Rabs b + r)) m0 m1 m2 k) (fun h =>
+    theta_coefficient k (b + h)).
 Proof.
 intros Hr H0 H1 H2. induction k as [| | |k IH] using nat_ind3; try assumption.
 - apply (norm_ext r _ (fun h => / 2 * E2 (b + h))). { intros h _. unfold theta_coefficient. simpl. field. }
   simpl. apply (norm_weaken r (Rabs (/ 2) * m2)). rewrite Rabs_pos_eq by lra. lra. apply norm_scal, H2.
 - assert (Hk := pos_INR k). rewrite coef_rec.
-  set (D := (INR k + 1) * (INR k + 2) * (INR k + 3)). assert (HD : 0 < D) by (unfold D; repeat apply Rmult_lt_0_compat; lra).
+  set (D := (INR k + 1) * (INR k + 2) * (INR k + 3)).
+  assert (HD : 0 < D) by (unfold D; repeat apply Rmult_lt_0_compat; lra).
   apply (norm_ext r _ (fun h => / D * (((INR k - b) + -1 * h) * theta_coefficient k (b + h)))).
   { intros h _. unfold theta_coefficient. rewrite coef_rec. fold D. field. lra. }
   apply (norm_weaken r (Rabs (/ D) * ((Rabs (INR k - b) + Rabs (-1) * r) * coef (- (Rabs b + r)) m0 m1 m2 k))).
-  + replace (Rabs (-1)) with 1 by (rewrite Rabs_left; lra). rewrite (Rabs_pos_eq (/ D)) by (apply Rlt_le, Rinv_0_lt_compat, HD).
+  + replace (Rabs (-1)) with 1 by (rewrite Rabs_left; lra).
+    rewrite (Rabs_pos_eq (/ D)) by (apply Rlt_le, Rinv_0_lt_compat, HD).
     replace ((INR k - - (Rabs b + r)) / D * coef (- (Rabs b + r)) m0 m1 m2 k)
       with (/ D * ((INR k + Rabs b + r) * coef (- (Rabs b + r)) m0 m1 m2 k)) by (field; lra).
     apply Rmult_le_compat_l. apply Rlt_le, Rinv_0_lt_compat, HD.
@@ -164,15 +175,18 @@ assert (H' : (theta t - PSeries c t) ^ 2 <= 0).
 assert (A := pow2_ge_0 (theta t - PSeries c t)). change (theta t = PSeries c t). nra.
 Qed.
 
-Lemma Derive_family b theta : is_Theta_entire b theta -> forall t, Derive theta t = family_sum (derived theta_coefficient) t b.
+Lemma Derive_family b theta : is_Theta_entire b theta -> forall t,
+  Derive theta t = family_sum (derived theta_coefficient) t b.
 Proof.
 intros H t. rewrite (Derive_ext theta (fun t => family_sum theta_coefficient t b)) by (apply entire_series, H).
 apply is_derive_unique, family_derive, theta_family_entire.
 Qed.
 
-Lemma Derive2_family b theta : is_Theta_entire b theta -> forall t, Derive_n theta 2 t = family_sum (derived (derived theta_coefficient)) t b.
+Lemma Derive2_family b theta : is_Theta_entire b theta -> forall t, Derive_n theta 2 t = family_sum
+  (derived (derived theta_coefficient)) t b.
 Proof.
-intros H t. simpl. rewrite (Derive_ext _ (fun t => family_sum (derived theta_coefficient) t b)) by (apply Derive_family, H).
+intros H t. simpl.
+rewrite (Derive_ext _ (fun t => family_sum (derived theta_coefficient) t b)) by (apply Derive_family, H).
 apply is_derive_unique, family_derive, derived_entire, theta_family_entire.
 Qed.
 
@@ -205,7 +219,8 @@ Proof. intros b r Hr. apply family_norm; auto. exact theta_family_entire. Qed.
 
 Theorem entire_in_beta t : exists a : nat -> R, forall b theta, is_Theta_entire b theta -> is_pseries a b (theta t).
 Proof.
-destruct (entire_series_at_0 _ (sum_in_beta_entire t)) as [a Ha]. exists a. intros b theta H. rewrite (entire_series b theta H t). apply Ha.
+destruct (entire_series_at_0 _ (sum_in_beta_entire t)) as [a Ha]. exists a. intros b theta H.
+rewrite (entire_series b theta H t). apply Ha.
 Qed.
 
 (** The entire form has a solution for every b. *)

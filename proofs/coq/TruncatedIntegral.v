@@ -1,7 +1,8 @@
 (** * The truncated Laplace integrals
 
     M s a d t = int_a^d r^s e^(rt - r^3/3) dr with 0 < a <= d: its derivative in t is M (s + 1); it satisfies the
-    equation up to boundary terms, the total derivative of r^(s+1) e^(rt - r^3/3); it is positive, and grows with [a, d]. *)
+    equation up to boundary terms, the total derivative of r^(s+1) e^(rt - r^3/3); it is positive, and grows with [a,
+    d]. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.

@@ -1,8 +1,9 @@
 (** * One validated step: V1 of proofs/validated_step.md
 
-    The difference of a solution and the approximation solves a linear equation as long as the solution is in the box: by the mean value
-    theorem, component by component ([field_difference]). [logarithmic_growth] bounds it ([tube_kept]). A solution exists since f, read off
-    at the nearest point of the box, is Lipschitz on the whole space ([InitialValueProblem]); it stays in the tube, where nothing is changed. *)
+    The difference of a solution and the approximation solves a linear equation as long as the solution is in the box:
+    by the mean value theorem, component by component ([field_difference]). [logarithmic_growth] bounds it
+    ([tube_kept]). A solution exists since f, read off at the nearest point of the box, is Lipschitz on the whole space
+    ([InitialValueProblem]); it stays in the tube, where nothing is changed. *)
 
 From Coq Require Import Reals Psatz Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
@@ -28,7 +29,8 @@ assert (Between : forall s, 0 <= s <= 1 -> forall j, Rmin (v j) (v' j) <= p s j 
 assert (Inside : forall s, 0 <= s <= 1 -> in_box low high (p s)).
 { intros s Hs j. specialize (Between s Hs j). specialize (Hv j). specialize (Hv' j).
   unfold Rmin, Rmax in Between. destruct Rle_dec; lra. }
-assert (D : forall s, 0 <= s <= 1 -> is_derive (fun s => f i (p s)) s (total all (fun j => J i j (p s) * (v' j - v j)))).
+assert (D : forall s, 0 <= s <= 1 -> is_derive (fun s => f i (p s)) s
+  (total all (fun j => J i j (p s) * (v' j - v j)))).
 { intros s Hs. assert (G := derivatives _ _ _ _ _ _ _ _ _ _ _ _ _ _ Hstep (p s) (Inside s Hs) i (fun j => v' j - v j)).
   apply (is_derive_ext (fun t => (fun u => f i (fun j => p s j + u * (v' j - v j))) (t - s))).
   { intros t. apply (f_equal (f i)), functional_extensionality. intros j. unfold p. ring. }
@@ -109,13 +111,15 @@ assert (Le : forall s, 0 <= s <= 1 -> exp (k * s) * (e0 + delta * s) <= r).
   - assert (0 <= delta * s) by (apply Rmult_le_pos; lra). lra.
   - apply exp_le. rewrite <- (Rmult_1_r k) at 2. apply Rmult_le_compat_l; lra.
   - assert (delta * s <= delta * 1) by (apply Rmult_le_compat_l; lra). lra. }
-assert (L := logarithmic_growth I all Hall w (fun i t => xi i t - x i t) (fun i t => rate i t - x' i t) k delta e0 radius T weight Hk Hd).
+assert (L := logarithmic_growth I all Hall w (fun i t => xi i t - x i t) (fun i t => rate i t - x' i t)
+  k delta e0 radius T weight Hk Hd).
 eapply Rle_trans; [apply L; clear L|].
 - intros j s Hs. apply (is_derive_minus (xi j) (x j)). apply D, Hs.
   apply (approximation _ _ _ _ _ _ _ _ _ _ _ _ _ _ Hstep). lra.
 - intros s Hs B j.
   assert (Bx := near_inside (fun j => xi j s) s ltac:(lra) B).
-  destruct (field_difference (fun j => x j s) (fun j => xi j s) j (approximation_inside s ltac:(lra)) Bx) as (p & _ & Hp & M).
+  destruct (field_difference (fun j => x j s) (fun j => xi j s) j (approximation_inside s ltac:(lra)) Bx)
+    as (p & _ & Hp & M).
   exists (fun l => h * J j l p), (h * f j (fun l => x l s) - x' j s). repeat split.
   + rewrite E by auto. rewrite (total_ext all _ (fun l => h * (J j l p * (xi l s - x l s)))) by (intros; ring).
     rewrite total_scal, <- M. ring.
@@ -182,8 +186,10 @@ assert (Lip : forall b, exists L, 0 <= L /\ forall s, Rabs (s - 0) <= b -> foral
 { intros b. destruct nearest_lipschitz as (L & HL & H). exists L. exact (conj HL (fun s _ => H)). }
 destruct (solution_exists I all Hall F nearest_continuous 0 Lip start) as (xi & H0 & D).
 assert (N := narrow _ _ _ _ _ _ _ _ _ _ _ _ _ _ Hstep).
-assert (In_tube : forall t y, 0 <= t <= 1 -> norm_at_most w (fun i => y i t - x i t) r -> in_box low high (fun j => y j t)).
-{ intros t y Ht B. apply (near_inside _ t Ht). intros j. apply Rle_trans with (1 := B j), Rmult_le_compat_r. apply Rlt_le, weight. lra. }
+assert (In_tube : forall t y, 0 <= t <= 1 -> norm_at_most w (fun i => y i t - x i t) r ->
+  in_box low high (fun j => y j t)).
+{ intros t y Ht B. apply (near_inside _ t Ht). intros j. apply Rle_trans with (1 := B j), Rmult_le_compat_r.
+  apply Rlt_le, weight. lra. }
 assert (B : forall t, 0 <= t <= 1 -> norm_at_most w (fun i => xi i t - x i t) r).
 { apply (tube_kept 1 xi (fun i t => F i t (fun j => xi j t))); auto. lra.
   intros i t Ht Hin. unfold F. rewrite (nearest_inside _ Hin). reflexivity. }
@@ -193,7 +199,8 @@ exists xi. refine (conj H0 (conj _ (conj B _))).
   assert (BO := tube_kept T other (fun i t => h * f i (fun j => other j t)) HT O0 OD (fun _ _ _ _ => eq_refl)).
   apply (solution_unique I all Hall F 0 Lip).
   + intros j s Hs. unfold segment in Hs. rewrite Rmin_left, Rmax_right in Hs by lra.
-    eapply is_derive_val. apply OD. lra. unfold F. rewrite nearest_inside. reflexivity. apply In_tube. lra. apply BO. lra.
+    eapply is_derive_val. apply OD. lra. unfold F. rewrite nearest_inside. reflexivity. apply In_tube. lra. apply BO.
+    lra.
   + intros j s _. apply D.
   + intros j. rewrite O0, H0. reflexivity.
 Qed.
@@ -202,7 +209,8 @@ End Start.
 End Step.
 
 (** The hypotheses can be met: xi' = xi from 1, with the approximation 1 + t. *)
-Example step_of_exponential : step_checked [tt] (fun _ v => v tt) (fun _ _ _ => 1) (fun _ => -3) (fun _ => 6) (fun _ => 1)
+Example step_of_exponential : step_checked [tt] (fun _ v => v tt) (fun _ _ _ => 1) (fun _ => -3) (fun _ => 6) (fun _ =>
+  1)
   (fun _ t => 1 + t) (fun _ _ => 1) 1 1 1 0 4 (exp 1).
 Proof.
 assert (E := exp_le_3). split; try (intros; lra).

@@ -1,7 +1,7 @@
 (** * The zeros move continuously with b
 
-    Section 5 of proofs/proofs/count_law.md: signs at the ends of small brackets around the zeros stay what they are for b nearby; so
-    each bracket still holds a zero, and by the count there are no others. *)
+    Section 5 of proofs/proofs/count_law.md: signs at the ends of small brackets around the zeros stay what they are for
+    b nearby; so each bracket still holds a zero, and by the count there are no others. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.

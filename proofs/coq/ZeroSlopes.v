@@ -1,21 +1,25 @@
 (** * The zeros are continuously differentiable in b
 
-    The implicit function theorem for a zero z(b) that is known to be continuous: with F = dTheta/dtau, -F(z0, b) = F_t(xi, b) (z(b) - z0), xi between
-    z0 and z(b); F_t is continuous in (t, b) and not 0 at a simple zero. So z' = - F_b/F_t, which is continuous in b, too. *)
+    The implicit function theorem for a zero z(b) that is known to be continuous: with F = dTheta/dtau, -F(z0, b) =
+    F_t(xi, b) (z(b) - z0), xi between z0 and z(b); F_t is continuous in (t, b) and not 0 at a simple zero. So z' = -
+    F_b/F_t, which is continuous in b, too. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
-From GSpot Require Import Statement Calculus LaplaceIntegral WellPosed Family CountLaw ContinuityInBeta ZeroCurves PowerSeriesNorm NormLimit
+From GSpot Require Import Statement Calculus LaplaceIntegral WellPosed Family CountLaw ContinuityInBeta ZeroCurves
+  PowerSeriesNorm NormLimit
   GammaEntire ThetaEntire DifferentiableInBeta.
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma quotient_close u v p D E eta : D <> 0 -> u * p = - v -> Rabs (v - E) < eta -> Rabs (p - D) < eta -> eta <= Rabs D / 2 ->
+Lemma quotient_close u v p D E eta : D <> 0 -> u * p = - v -> Rabs (v - E) < eta -> Rabs (p - D) < eta ->
+  eta <= Rabs D / 2 ->
   Rabs (u - - E / D) <= 2 * eta * (Rabs D + Rabs E) / D ^ 2.
 Proof.
 intros HD Hu Hv Hp He. assert (AD : 0 < Rabs D) by (apply Rabs_pos_lt, HD).
 assert (P : Rabs D / 2 <= Rabs p).
-{ assert (T := Rabs_triang p (D - p)). replace (p + (D - p)) with D in T by ring. rewrite (Rabs_minus_sym D p) in T. lra. }
+{ assert (T := Rabs_triang p (D - p)). replace (p + (D - p)) with D in T by ring. rewrite (Rabs_minus_sym D p) in T.
+  lra. }
 assert (Hp0 : p <> 0). { intros ->. rewrite Rabs_R0 in P. lra. }
 replace (u - - E / D) with ((- (v - E) * D + E * (p - D)) * / (p * D)).
 2: { replace v with (- (u * p)) by lra. field. auto. }
@@ -71,16 +75,19 @@ assert (M : exists xi, Rabs (xi - z0) < d1 /\ (z b - z0) * Ft xi b = - F z0 b).
     exists c. split. rewrite Rabs_left in Z1 |- *; lra. rewrite Z2 in E. lra. }
 destruct M as (xi & Hxi & EM).
 assert (P : Rabs (Ft xi b - D) < eta).
-{ apply (Hd1 (xi, b)). split; [exact Hxi|]. change (Rabs (b - b0) < d1). unfold b. replace (b0 + h - b0) with h by ring. exact A1. }
+{ apply (Hd1 (xi, b)). split; [exact Hxi|]. change (Rabs (b - b0) < d1). unfold b. replace (b0 + h - b0) with h by ring.
+  exact A1. }
 assert (Q := quotient_close ((z b - z0) / h) (F z0 b / h) (Ft xi b) D Fb eta Hnz).
 eapply Rle_lt_trans; [apply Q; auto|].
 - replace ((z b - z0) / h * Ft xi b) with ((z b - z0) * Ft xi b / h) by (field; auto). rewrite EM. field. auto.
 - apply Rle_lt_trans with (2 * (eps * D ^ 2 / (2 * S)) * (Rabs D + Rabs Fb) / D ^ 2).
   + unfold Rdiv at 1 2. apply Rmult_le_compat_r. apply Rlt_le, Rinv_0_lt_compat, HD2.
     apply Rmult_le_compat_r. generalize (Rabs_pos Fb); lra. fold (eps * D ^ 2 / (2 * S)). lra.
-  + replace (2 * (eps * D ^ 2 / (2 * S)) * (Rabs D + Rabs Fb) / D ^ 2) with (eps * ((Rabs D + Rabs Fb) / S)) by (field; lra).
+  + replace (2 * (eps * D ^ 2 / (2 * S)) * (Rabs D + Rabs Fb) / D ^ 2) with (eps * ((Rabs D + Rabs Fb) / S))
+      by (field; lra).
     rewrite <- (Rmult_1_r eps) at 2. apply Rmult_lt_compat_l; auto.
-    apply Rmult_lt_reg_r with S; auto. replace ((Rabs D + Rabs Fb) / S * S) with (Rabs D + Rabs Fb) by (field; lra). unfold S. lra.
+    apply Rmult_lt_reg_r with S; auto. replace ((Rabs D + Rabs Fb) / S * S) with (Rabs D + Rabs Fb) by (field; lra).
+    unfold S. lra.
 Qed.
 
 (** ** dTheta/dtau *)
@@ -126,7 +133,8 @@ Proof. intros Hb. apply (cell_not_nat (S m)). unfold cell. rewrite S_INR. lra. Q
 
 Lemma l_length b : INR m < b < INR m + 1 -> length (l b) = (m mod 3 + m / 3)%nat.
 Proof.
-intros Hb. destruct (zero_list_exists m b Hb) as (l' & Z & E). rewrite (zero_list_unique b (l b) l' (Hl b Hb) Z). exact E.
+intros Hb. destruct (zero_list_exists m b Hb) as (l' & Z & E). rewrite (zero_list_unique b (l b) l' (Hl b Hb) Z).
+exact E.
 Qed.
 
 Lemma z_zero b : INR m < b < INR m + 1 -> Derive (Th b) (z b) = 0.

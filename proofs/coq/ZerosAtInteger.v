@@ -1,6 +1,7 @@
 (** * The zeros as b passes an integer
 
-    Section 5 of proofs/proofs/count_law.md, "At an integer": brackets as in [ZeroCurves.v], signs of Theta(., b) at 0 and near +oo. *)
+    Section 5 of proofs/count_law.md, "At an integer": brackets as in [ZeroCurves.v], signs of Theta(., b) at 0
+    and near +oo. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -29,7 +30,8 @@ induction l as [|c l IH]; intros s a [|[x y] br] H; simpl in H; try tauto.
   apply filter_imp. intros b (K1 & K2 & K3). simpl. repeat split; auto; lra.
 Qed.
 
-Lemma pattern_shrink f f' s a a' l : a <= a' -> (forall c, In c l -> a' < c) -> pattern f f' s a l -> pattern f f' s a' l.
+Lemma pattern_shrink f f' s a a' l : a <= a' -> (forall c, In c l -> a' < c) -> pattern f f' s a l ->
+  pattern f f' s a' l.
 Proof.
 destruct l as [|c l]; simpl; intros Ha Hc.
 - intros H t Ht. apply H; lra.
@@ -60,7 +62,8 @@ Qed.
 Definition Th_zero_list (b : R) (l : list R) : Prop :=
   StronglySorted Rlt l /\ forall t, Th b t = 0 <-> In t l.
 
-Lemma Th_zero_list_length (m : nat) b l : cell m b -> Th_zero_list b l -> length l = (negative_count m + positive_count m)%nat.
+Lemma Th_zero_list_length (m : nat) b l : cell m b -> Th_zero_list b l ->
+  length l = (negative_count m + positive_count m)%nat.
 Proof.
 intros Hb [Hs Hz].
 destruct (Th_zeros m b Hb) as (ln & lp & En & Ep & _ & _ & HA).
@@ -108,15 +111,19 @@ Qed.
 
 Lemma counts_at k :
   match (k mod 3)%nat with
-  | 0%nat => sg k = 1 /\ sg (S k) = 1 /\ negative_count k = 0%nat /\ negative_count (S k) = 0%nat /\ positive_count k = (k / 3)%nat /\ positive_count (S k) = S (k / 3)
-  | 1%nat => sg k = 1 /\ sg (S k) = -1 /\ negative_count k = 0%nat /\ negative_count (S k) = 1%nat /\ positive_count k = S (k / 3) /\ positive_count (S k) = S (k / 3)
-  | _ => sg k = -1 /\ sg (S k) = 1 /\ negative_count k = 1%nat /\ negative_count (S k) = 0%nat /\ positive_count k = S (k / 3) /\ positive_count (S k) = S (k / 3)
+  | 0%nat => sg k = 1 /\ sg (S k) = 1 /\ negative_count k = 0%nat /\ negative_count (S k) = 0%nat /\
+    positive_count k = (k / 3)%nat /\ positive_count (S k) = S (k / 3)
+  | 1%nat => sg k = 1 /\ sg (S k) = -1 /\ negative_count k = 0%nat /\ negative_count (S k) = 1%nat /\
+    positive_count k = S (k / 3) /\ positive_count (S k) = S (k / 3)
+  | _ => sg k = -1 /\ sg (S k) = 1 /\ negative_count k = 1%nat /\ negative_count (S k) = 0%nat /\
+    positive_count k = S (k / 3) /\ positive_count (S k) = S (k / 3)
   end.
 Proof.
 induction k as [| | |k IH] using nat_ind3; try (simpl; repeat split; reflexivity).
 unfold negative_count in *. rewrite (mod3_SSS k), (mod3_SSS (S k)), div3_SSS.
 change (sg (S (S (S k)))) with (sg k). change (sg (S (S (S (S k))))) with (sg (S k)).
-change (positive_count (S (S (S k)))) with (S (positive_count k)). change (positive_count (S (S (S (S k))))) with (S (positive_count (S k))).
+change (positive_count (S (S (S k)))) with (S (positive_count k)).
+change (positive_count (S (S (S (S k))))) with (S (positive_count (S k))).
 destruct (k mod 3)%nat as [|[|j]]; destruct IH as (A & B & C & D & E & F); rewrite A, B, C, D, E, F;
 repeat split; reflexivity.
 Qed.
@@ -140,6 +147,10 @@ destruct c as [|x c]; simpl.
 - intros (_ & H & _) Ht Hc. apply H. split; auto.
 Qed.
 
+(** Plan: brackets around the zeros c of P_k, and the signs of P_k at a0, - a0 and T1, hold for Theta(., b) with b near
+    k, b <> k (Hnear). Each bracket then holds a zero xs of Theta(., b) (Hxs). [Th_zero_list_length] counts all zeros on
+    either side of k; those that are missing lie, by the signs at 0 and at infinity, between - a0 and a0 or beyond T1.
+    For each of k mod 3 the list xs with these is sorted and as long as l, so it is l. *)
 Theorem at_integer (k : nat) (c : list R) (eps T : R) :
   StronglySorted Rlt c -> (forall t, 0 < t /\ Pn k t = 0 <-> In t c) -> 0 < eps ->
   exists delta, 0 < delta /\ forall b l, Th_zero_list b l ->
@@ -187,7 +198,8 @@ assert (Hnear : INR k - Rmin d 1 < b < INR k + Rmin d 1 -> b <> INR k ->
 { intros Hb Hne. apply (Hd b); auto.
   unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl. apply Rabs_def1; lra. }
 (* what both sides have in common *)
-assert (Hxs : not_nat b -> brackets (Th b) (sp k) a0 eps c br -> exists xs, near_lists eps xs c /\ StronglySorted Rlt xs /\
+assert (Hxs : not_nat b -> brackets (Th b) (sp k) a0 eps c br -> exists xs, near_lists eps xs c /\
+  StronglySorted Rlt xs /\
   (forall x, In x xs -> a0 < x) /\ (forall x, In x xs -> x < T1) /\ (forall x, In x xs -> Th b x = 0)).
 { intros Hn Hb.
   destruct (brackets_zeros (Th b) _ eps c (fun t => Th_derive b t Hn) (sp k) a0 br Hb) as (xs & Ex & Sx & Zx & Nx).

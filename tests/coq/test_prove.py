@@ -49,6 +49,12 @@ def test_no_proof_is_left_out(prove: ModuleType) -> None:
     assert prove.unproved(prove.read_sources()) == []
 
 
+def test_no_line_of_a_source_is_longer_than_120_characters(prove: ModuleType) -> None:
+    """The text of a certificate has the lines of its file."""
+    texts = {name: text.decode() for name, text in prove.read_sources().items() if name not in prove.CERTIFICATES}
+    assert [(name, line) for name, text in texts.items() for line in text.splitlines() if len(line) > 120] == []
+
+
 def refused(prove: ModuleType, capsys: pytest.CaptureFixture[str]) -> str:
     """What is said of sources that may not be compiled; an old record is gone."""
     (prove.BUILD / prove.RECORD).write_text("an old record")
