@@ -22,6 +22,15 @@ Proof. intros H. induction l as [|i r IH]; simpl. lra. specialize (H i). lra. Qe
 Lemma total_scal (l : list I) c g : total l (fun i => c * g i) = c * total l g.
 Proof. induction l as [|i r IH]; simpl. ring. rewrite IH. ring. Qed.
 
+Lemma total_plus (l : list I) g g' : total l (fun i => g i + g' i) = total l g + total l g'.
+Proof. induction l as [|i r IH]; simpl. ring. rewrite IH. ring. Qed.
+
+Lemma total_minus (l : list I) g g' : total l (fun i => g i - g' i) = total l g - total l g'.
+Proof. induction l as [|i r IH]; simpl. ring. rewrite IH. ring. Qed.
+
+Lemma total_zero (l : list I) : total l (fun _ => 0) = 0.
+Proof. induction l as [|i r IH]; simpl. reflexivity. rewrite IH. ring. Qed.
+
 Lemma total_ext (l : list I) g g' : (forall i, g i = g' i) -> total l g = total l g'.
 Proof. intros H. induction l as [|i r IH]; simpl; auto. rewrite H, IH. reflexivity. Qed.
 
@@ -35,6 +44,17 @@ Lemma total_const (l : list I) c : total l (fun _ => c) = INR (length l) * c.
 Proof.
 induction l as [|i r IH]. simpl; ring.
 change (length (i :: r)) with (S (length r)). rewrite S_INR. simpl total. rewrite IH. ring.
+Qed.
+
+Lemma total_swap (l l' : list I) (g : I -> I -> R) :
+  total l (fun i => total l' (fun j => g i j)) = total l' (fun j => total l (fun i => g i j)).
+Proof. induction l as [|i r IH]; simpl. symmetry; apply total_zero. rewrite IH, total_plus. reflexivity. Qed.
+
+Lemma total_derive (l : list I) (g g' : I -> R -> R) t : (forall i, is_derive (g i) t (g' i t)) ->
+  is_derive (fun t => total l (fun i => g i t)) t (total l (fun i => g' i t)).
+Proof.
+intros H. induction l as [|i r IH]; simpl. apply (is_derive_const 0).
+apply (is_derive_plus (g i) (fun t => total r (fun i => g i t))); auto.
 Qed.
 
 (** A term that is smaller by a known amount. *)

@@ -56,3 +56,28 @@ Definition validated_step : Prop := forall (I : Type) (all : list I) f J (low hi
     (forall t, 0 <= t <= 1 -> norm_at_most w (fun i => xi i t - x i t) r) /\
     forall T other, 0 <= T <= 1 -> (forall i, other i 0 = start i) -> solves f h other T ->
       forall i t, 0 <= t <= T -> other i t = xi i t.
+
+(** Theorems V2 and V3: all starts within [spread] of x(0), and the solution from x(0) itself. Yh(t) is a matrix with
+    Yh(0) = 1, Yh' its derivative; on the tube J differs from its value on x by at most c; column j of the equation of
+    Yh holds up to w_i bound_j. *)
+Record set_checked {I : Type} (all : list I) (J : I -> I -> (I -> R) -> R) (w : I -> R) (x : I -> R -> R) (h r : R)
+    (Yh Yh' : I -> I -> R -> R) (c : I -> I -> R) (bound : I -> R) : Prop := SetChecked {
+  start_is_one : forall i (e : I -> R), total all (fun j => Yh i j 0 * e j) = e i;
+  matrix_derivative : forall i j t, 0 <= t <= 1 -> is_derive (Yh i j) t (Yh' i j t);
+  jacobian_near : forall t, 0 <= t <= 1 -> forall v, norm_at_most w (fun i => v i - x i t) r ->
+    forall i k, Rabs (J i k v - J i k (fun l => x l t)) <= c i k;
+  matrix_defect : forall t, 0 <= t <= 1 -> forall i j,
+    Rabs (total all (fun k => h * J i k (fun l => x l t) * Yh k j t) - Yh' i j t)
+      + h * total all (fun k => c i k * Rabs (Yh k j t)) <= bound j * w i
+}.
+
+(** At the end the difference of two solutions is that of their starts times a matrix that is near Yh(1). *)
+Definition validated_set : Prop := forall (I : Type) (all : list I) f J (low high w : I -> R) (x x' : I -> R -> R)
+  h mu delta spread radius r Yh Yh' c bound,
+  (forall i, In i all) -> step_checked all f J low high w x x' h mu delta spread radius r ->
+  set_checked all J w x h r Yh Yh' c bound ->
+  forall xi zeta : I -> R -> R, solves f h xi 1 -> solves f h zeta 1 ->
+  norm_at_most w (fun i => xi i 0 - x i 0) spread -> (forall i, zeta i 0 = x i 0) ->
+  exists A : I -> I -> R,
+    (forall i j, Rabs (A i j - Yh i j 1) <= w i * exp (Rmax (h * mu) 0) * bound j) /\
+    forall i, xi i 1 = zeta i 1 + total all (fun j => A i j * (xi j 0 - x j 0)).

@@ -792,6 +792,9 @@ Qed.
 Theorem validated_step : StatementStep.validated_step.
 Proof. exact ValidatedStep.step_solution. Qed.
 
+Theorem validated_set : StatementStep.validated_set.
+Proof. exact ValidatedStep.set_of_solutions. Qed.
+
 (** ** Certificates *)
 
 Theorem sign_certificate : StatementCertificate.sign_certificate.
