@@ -186,3 +186,9 @@ def test_rounded_down_where_the_exponential_is_not_told_from_1() -> None:
         found = rounded_down(least, 5)
     assert found is not None
     assert fmpq(9999, 10**4) <= found < 1  # e^least < 1
+
+
+@pytest.mark.parametrize(("charge", "side"), [(-1, "> 0, λ_N → +∞"), (1, "< 0, λ_N → -∞")])
+def test_the_text_names_the_side(charge: int, side: str) -> None:
+    first, _ = contact_force("5/2", c1=charge).lines()
+    assert first == f"  Case III: β = 5/2, α1 = -1, α2 = -1, α3 = -2.5, C1 = {charge}: the side C1/Γ(-β) {side}"

@@ -50,6 +50,7 @@ def test_every_system_in_the_balls_is_inside(
             (every.amplitude(), one.amplitude(30)),
             (every.level(epsilon), one.level(epsilon, 30)),
             (every.log_epsilon(slope), one.log_epsilon(slope, 30)),
+            (every.value(fmpq(tens), epsilon), one.value(tens, epsilon, 30)),
         ]
     for wide, narrow in pairs:
         assert wide.is_finite()
@@ -61,6 +62,7 @@ def test_the_charge_that_is_left_out() -> None:
     assert force_over_balls(-1, -1, around(Fraction(-5, 2))).c1 == -1
     assert force_over_balls(-1, around(Fraction(1)), around(Fraction(-1, 2))).case == "II"
     assert force_over_balls(-1, around(Fraction(0)), around(Fraction(-1, 2))).case == "none"
+    assert force_over_balls(-1, 0, around(Fraction(-1, 2))).case == "none"
 
 
 @pytest.mark.parametrize(
@@ -72,6 +74,7 @@ def test_the_charge_that_is_left_out() -> None:
         ((-1, -1, around(Fraction(-1))), "holds an integer"),
         ((-1, -1, around(Fraction(-2) - RADIUS)), "holds an integer"),  # the integer is an end of the ball
         ((-1, around(Fraction(0)), around(Fraction(-3, 2))), "alpha_2"),
+        ((-1, 0, around(Fraction(-3, 2))), "alpha_2"),
         ((-1, -1, around(Fraction(-100))), "in \\(0, 100\\]"),
     ],
 )

@@ -6,6 +6,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.leading_order.contact_force import contact_force
+from gspot_verified.leading_order.force_over_balls import force_over_balls
 from gspot_verified.leading_order.force_refutation import force_refutation
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.work.ranges import Range
@@ -22,6 +23,13 @@ def test_the_first_place_that_serves_is_the_witness() -> None:
     assert found.verdict.outcome is Outcome.REFUTED
     assert (found.verdict.statement, found.verdict.witness) == ("λ_N > 0", "λ_N < 0 at τ = 4")
     assert LEAVES.value(4, EPSILON) < 0 < LEAVES.value(0, EPSILON)
+
+
+def test_a_witness_against_all_systems_in_balls_says_so() -> None:
+    balls = force_over_balls(-1, -1, arb("-1.5", "1e-9"), -1)
+    found = force_refutation(balls, "λ_N > 0", EVERY, [fmpq(0), fmpq(4)], EPSILON)
+    assert found is not None
+    assert found.verdict.witness == "λ_N < 0 for all α1, α2, α3 in the balls at τ = 4"
 
 
 @pytest.mark.parametrize(

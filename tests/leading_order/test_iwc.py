@@ -247,8 +247,12 @@ def test_for_beta_between_1_and_2_only_the_half_line_is_stated() -> None:
     assert late.verdict.statement == "at leading order, λ_N > 0 for every τ in [5, inf) and every ε > 0"
     assert late.verdict.detail == leading_order_iwc("3/2").verdict.detail == ""
     assert leading_order_iwc("3/2").force.value(-10, 10**6) < 0
-    whole = leading_order_iwc("1/2", alpha_2=1).verdict.statement
-    assert whole == "at leading order, λ_N > 0 for every real τ and every ε > 0"
+    whole = leading_order_iwc("1/2", alpha_2=1).verdict
+    assert whole.statement == "at leading order, λ_N > 0 for every real τ and every ε > 0"
+    assert "proofs/signs.md" in whole.detail
+    refuted = leading_order_iwc("5/2", epsilon=2).verdict
+    assert refuted.outcome is Outcome.REFUTED
+    assert "for all" not in (refuted.witness or "")
 
 
 @pytest.mark.parametrize(("low", "high"), [(-4, -2), (-100, -1)])

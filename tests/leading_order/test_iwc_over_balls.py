@@ -100,6 +100,7 @@ def test_the_lift_off_times_are_in_the_bracket(centres: tuple[Fraction, ...], ra
         assert found.lift_off.lower <= one.lift_off.lower  # type: ignore[operator]
         assert one.lift_off.upper <= found.lift_off.upper  # type: ignore[operator]
         assert found.lift_off.number == one.lift_off.number
+        assert ("zeros of λ_N" in found.verdict.detail) is (found.lift_off.number is not None)
         if one.lift_off.ratio is not None:
             assert found.lift_off.ratio is not None
             assert found.lift_off.ratio.is_finite()
@@ -171,6 +172,7 @@ def test_undecided_with_the_reason(alphas: tuple[arb | int, ...], charge: int | 
 def test_texts_and_json() -> None:
     found = iwc_over_balls(-1, -1, around(Fraction(-5, 2), NARROW), digits=6)
     assert "Case III" in str(found)
+    assert "the side C1/Γ(-β) > 0, λ_N → +∞" in str(found)
     assert "least value of sign(C1) dΘ/dτ on [-10, inf): " in str(found)
     assert "it holds for every τ < -10 as well" in str(found)
     data = found.to_json()
@@ -248,6 +250,12 @@ def test_every_epsilon_serves_only_where_the_deviation_is_certainly_not_negative
     assert (found.minimum.value >= 0) is everywhere
     assert found.every_epsilon is everywhere
     assert found.verdict.statement.endswith("every ε > 0") is everywhere
+    assert not (everywhere and found.whole_line)
+
+
+def test_every_epsilon_serves_between_1_and_2_too() -> None:
+    found = iwc_over_balls(-1, -1, arb("-1.5", "1e-6"), tau_start=3, digits=6)
+    assert (found.verdict.outcome, found.every_epsilon, found.whole_line) == (Outcome.PROVED, True, False)
 
 
 def test_without_a_lift_off_nothing_is_said_of_the_whole_line() -> None:
