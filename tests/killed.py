@@ -12,13 +12,13 @@ _ROOT = Path(__file__).resolve().parents[1]
 _KILL = """
 import os, signal
 from gspot_verified.work.journal_file import JournalFile
-honest = JournalFile.add
-def add(self, data):
-    kept = honest(self, data)
+honest = JournalFile.add_text
+def add(self, text):
+    kept = honest(self, text)
     if len(self.lines) == {lines}:
         os.kill(os.getpid(), signal.SIGKILL)
     return kept
-JournalFile.add = add
+JournalFile.add_text = add
 """
 
 

@@ -132,10 +132,17 @@ def _covers(parts: Sequence[Box], whole: Box) -> bool:
         return cover([(first[0], last[0]) for first, last in parts], (lower, upper)) is not None
     ends = {end for first, last in parts for end in (first[0], last[0]) if lower < end < upper}
     cuts = sorted({lower, upper, *ends})
-    return all(
-        _covers([(p[1:], q[1:]) for p, q in parts if p[0] <= begin and end <= q[0]], (low, high))
-        for begin, end in (pairwise(cuts) if lower < upper else [(lower, upper)])
-    )
+    waiting = sorted(parts, key=lambda part: part[0][0], reverse=True)
+    reaching: list[
+        Box
+    ] = []  # those that begin before: one that does not reach over this pair reaches over no later one
+    for begin, end in pairwise(cuts) if lower < upper else [(lower, upper)]:
+        while waiting and waiting[-1][0][0] <= begin:
+            reaching.append(waiting.pop())
+        reaching = [part for part in reaching if end <= part[1][0]]
+        if not _covers([(p[1:], q[1:]) for p, q in reaching], (low, high)):
+            return False
+    return True
 
 
 def every(parts: Iterable[Evidence | None]) -> Evidence | None:

@@ -7,7 +7,8 @@ import re
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 _Result = TypeVar("_Result")
 
 _MAX_WORKERS = 1_024  # a limit of input: ValueError beyond it
+_IN_FLIGHT = 256  # calls that are given out and not yet taken back: more than the workers of one machine
 _ADDRESS = re.compile(r"((tcp|tls|ucx|ws|wss)://)?(\[[0-9A-Fa-f:.%]+\]|[^\s:/\[\]]+):[0-9]{1,5}/?|inproc://\S+")
 """Of a scheduler. Asked before Dask is: it answers to anything else after 40 seconds."""
 
@@ -90,6 +92,28 @@ def as_they_end(pool: Executor, calls: Mapping[str, Callable[[], _Result]]) -> I
             raise RuntimeError(f"{name}: {type(error).__name__}: {error}") from error
         left.remove(name)
         yield name, result
+
+
+def in_order(pool: Executor, calls: Iterable[Callable[[], _Result]]) -> Iterator[_Result]:
+    """The results of the calls in their order; what a call raises is raised here.
+
+    In-process none begins before its turn. Elsewhere at most 256 calls are given out and not yet taken back, so that
+    neither they nor their results pile up; the next calls are made (and taken from ``calls``) as results are taken.
+
+    >>> with executor() as pool:
+    ...     list(in_order(pool, [int, str]))
+    [0, '']
+    """
+    if isinstance(pool, InProcessExecutor):
+        yield from (call() for call in calls)
+        return
+    waiting: deque[Future[_Result]] = deque()
+    for call in calls:
+        if len(waiting) == _IN_FLIGHT:
+            yield waiting.popleft().result()
+        waiting.append(pool.submit(call))
+    while waiting:
+        yield waiting.popleft().result()
 
 
 @contextmanager

@@ -16,11 +16,12 @@ import os
 import stat
 import warnings
 import weakref
-from collections.abc import Callable
+from array import array
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import Any, Self, overload
 
 import flint
 
@@ -46,6 +47,41 @@ class JournalWarning(UserWarning):
 
 def _warn(text: str) -> None:
     warnings.warn(JournalWarning(text), stacklevel=2)
+
+
+class LinesInFile(Sequence[str]):
+    """Lines of a file, each read when it is asked for: in memory is where they end."""
+
+    def __init__(self, descriptor: int, start: int) -> None:
+        self._descriptor = descriptor
+        self._ends = array("q", [start])
+
+    def __len__(self) -> int:
+        return len(self._ends) - 1
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[str]: ...
+    def __getitem__(self, index: int | slice) -> str | list[str]:
+        if isinstance(index, slice):
+            return [self[k] for k in range(*index.indices(len(self)))]
+        number = range(len(self))[index]
+        start, end = self._ends[number], self._ends[number + 1]
+        return os.pread(self._descriptor, end - start, start).decode(errors="replace").removesuffix("\n")
+
+    @property
+    def end(self) -> int:
+        """Where the last line ends in the file."""
+        return self._ends[-1]
+
+    def append(self, length: int) -> None:
+        """One line more, of so many bytes with its line feed."""
+        self._ends.append(self.end + length)
+
+    def cut(self, count: int) -> None:
+        """The first lines only."""
+        del self._ends[count + 1 :]
 
 
 class JournalFile:
@@ -83,28 +119,33 @@ class JournalFile:
                 raise ValueError(
                     f"{self.path} is not a journal of this question{other}; choose another file or remove it"
                 )
-            data = file.read()
-        # A kill may leave a line without its line feed: what follows the last line feed is dropped.
-        whole = data[: data.rfind(b"\n") + 1]
-        self.lines = whole.decode(errors="replace").split("\n")[:-1]
+            self.lines = LinesInFile(self._descriptor, len(self._header))
+            # A kill may leave a line without its line feed: what follows the last line feed is dropped.
+            for line in file if first == self._header else ():
+                if line.endswith(b"\n"):
+                    self.lines.append(len(line))
         if first == self._header:
-            os.ftruncate(self._descriptor, len(first) + len(whole))
+            os.ftruncate(self._descriptor, self.lines.end)
         else:
             os.ftruncate(self._descriptor, 0)
             self._write(self._header)
 
     def add(self, data: Any) -> bool:
         """Keep one line: whether it is in the file when this returns."""
-        line = json.dumps(data)
-        if not self._write(f"{line}\n".encode()):
+        return self.add_text(json.dumps(data))
+
+    def add_text(self, text: str) -> bool:
+        """The same for JSON that was made elsewhere, in one line."""
+        line = f"{text}\n".encode()
+        if not self._write(line):
             return False
-        self.lines.append(line)
+        self.lines.append(len(line))
         return True
 
     def cut(self, count: int) -> None:
         """Drop all lines but the first ones."""
-        del self.lines[count:]
-        os.ftruncate(self._descriptor, len(self._header) + sum(len(line.encode()) + 1 for line in self.lines))
+        self.lines.cut(count)
+        os.ftruncate(self._descriptor, self.lines.end)
 
     def close(self) -> None:
         """Let another run have the file."""

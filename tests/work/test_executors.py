@@ -8,6 +8,7 @@ import sys
 import threading
 import warnings
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from multiprocessing import Pipe
 from pathlib import Path
@@ -19,7 +20,7 @@ from gspot_verified.certificates.text import certificate_text
 from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
 from gspot_verified.work import executors
-from gspot_verified.work.executors import InProcessExecutor, as_they_end, executor
+from gspot_verified.work.executors import InProcessExecutor, as_they_end, executor, in_order
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -38,6 +39,34 @@ def expected() -> str:
 def importable(monkeypatch: pytest.MonkeyPatch) -> None:
     """Worker processes find the package where this process does."""
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]))
+
+
+@pytest.mark.parametrize("count", [0, 3, 700])
+def test_results_in_order_with_few_calls_at_a_time(count: int) -> None:
+    """However many there are, no more are given out than may wait; in-process one after the other."""
+    made: list[int] = []
+
+    def calls() -> Iterator[partial[int]]:
+        for number in range(count):
+            made.append(number)
+            yield partial(int, number)
+
+    with ThreadPoolExecutor(2) as pool:
+        for taken, result in enumerate(in_order(pool, calls())):
+            assert result == taken
+            assert len(made) <= taken + executors._IN_FLIGHT + 1
+    assert len(made) == count
+    made.clear()
+    for taken, _ in enumerate(in_order(InProcessExecutor(), calls()), 1):
+        assert len(made) == taken
+
+
+def test_what_a_call_raises_is_raised_in_its_turn() -> None:
+    with ThreadPoolExecutor(1) as pool:
+        results = in_order(pool, [int, partial(int, "x"), int])
+        assert next(results) == 0
+        with pytest.raises(ValueError, match="invalid literal"):
+            next(results)
 
 
 @pytest.mark.usefixtures("importable")

@@ -24,7 +24,7 @@ from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_o
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid, cells
 from gspot_verified.mechanisms.sweep.sweep_links import linked
-from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_piece import NO_NUMBERS, Kind, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 from gspot_verified.mechanisms.sweep.sweep_work import Question, open_journal, portions, results
 from gspot_verified.numbers.balls import Exact, ExactInput, working_bits
@@ -93,13 +93,15 @@ in the brackets where one quantity passes zero or the spot vanishes
     conditions = BoxProgram(system.conditions, system.dimension + len(names))
     work = portions(cells(conditions, question.grid, place, point))
     workers = executor or InProcessExecutor()
-    pieces_by_cell: list[list[SweepPiece]] = []
+    count = len(question.grid)
+    patchwork = Patchwork(question.grid)
+    done = 0
     with open_journal(journal, question, place, first.to_json()) as kept:
-        for pieces in results(question, work, workers, kept):
-            pieces_by_cell += pieces
+        for answer in results(question, work, workers, kept):
+            patchwork.add_cells(answer.pieces, answer.groups)
+            done += len(answer.pieces)
             if progress is not None:
-                progress(len(pieces_by_cell), sum(map(len, work)))
-        patchwork = Patchwork(question.grid, pieces_by_cell)
+                progress(done, count)
         number, left = len(work), budget
         while True:
             own = _own(question, patchwork, place, point)
@@ -109,12 +111,13 @@ in the brackets where one quantity passes zero or the spot vanishes
                 break
             chosen, known = waiting[:left], min(budget, budget - left + len(waiting))
             parts = portions([cell for _, cell in chosen])
-            found = (each for pieces in results(question, parts, workers, kept, number) for each in pieces)
-            for (divided, _), its_parts in zip(chosen, found, strict=True):
-                patchwork.replace(divided, its_parts)
-                left -= 1
-                if progress is not None:
-                    progress(len(pieces_by_cell) + budget - left, len(pieces_by_cell) + known)
+            numbers = (divided for divided, _ in chosen)
+            for answer in results(question, parts, workers, kept, number):
+                for its_parts, groups in answer.by_cell():
+                    patchwork.replace(next(numbers), its_parts, groups)
+                    left -= 1
+                    if progress is not None:
+                        progress(count + budget - left, count + known)
             number += len(parts)
     return _assembled(question, system, place, first.to_json(), patchwork, own, budget if waiting else None)
 
@@ -125,8 +128,9 @@ def _own(question: Question, patchwork: Patchwork, place: tuple[fmpq, ...], poin
     numbers = {number: k for k, number in enumerate(order)}
     pieces = [patchwork.pieces[number] for number in order]
     near = [[numbers[other] for other in sorted(patchwork.near[number])] for number in order]
+    groups = [patchwork.groups[number] for number in order]
     with working_bits(BITS):
-        return {order[k] for k in linked(question.equations(), pieces, near.__getitem__, place, point)}
+        return {order[k] for k in linked(question.equations(), pieces, near.__getitem__, place, point, groups)}
 
 
 def _assembled(
@@ -165,7 +169,7 @@ def _other(piece: SweepPiece) -> SweepPiece:
         return piece
     return replace(
         piece, kind=Kind.OPEN, case=None, lift_off_sign=None, impact_sign=None, unsure=(_OTHER,), passing=None,
-        numbers=(None,) * len(piece.numbers),
+        numbers=NO_NUMBERS,
     )  # fmt: skip
 
 

@@ -5,7 +5,8 @@ Any choice is correct: what a part says comes from its own examination, and the 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from array import array
+from collections.abc import Collection, Iterable, Sequence, Set
 
 from flint import arb, fmpq
 
@@ -24,26 +25,43 @@ _SMALLEST_AT_ENDS = fmpq(1, 2**14)  # of a map: along a fold, or where a hypothe
 
 
 class Patchwork:
-    """The pieces of all cells by numbers that stay theirs, with those that they touch; parts take a piece's place."""
+    """The pieces of all cells by numbers that stay theirs, with those that they touch; parts take a piece's place.
 
-    def __init__(self, grid: Grid, pieces_by_cell: Sequence[Sequence[SweepPiece]]) -> None:
+    Cells come in their order, with the groups of :func:`groups_in_a_row`.
+    """
+
+    def __init__(self, grid: Grid) -> None:
+        self._grid = grid
         self._whole = _volume(tuple(axis.lower for axis in grid.axes), tuple(axis.upper for axis in grid.axes))
         self._line = len(grid.axes) == 1
         self.pieces: list[SweepPiece] = []
-        self.near: list[set[int]] = []
-        self._cells: list[int] = []
+        self.near: list[list[int]] = []
+        self.groups: list[int] = []
+        """Pieces with the same number hold the same spot, continued."""
+        self._cells = array("q")
+        self._ends = array("q", [0])
         self._beside: dict[int, frozenset[int]] = {}  # pieces of the continued spot, when it was last looked
         self._in_vain: dict[int, frozenset[int]] = {}  # the same of pieces that did not fall into parts
         self._replaced: set[int] = set()
-        numbers: dict[tuple[int, ...], list[int]] = {}
-        for index, pieces in zip(grid.indices(), pieces_by_cell, strict=True):
-            numbers[index] = [self._add(piece, len(numbers)) for piece in pieces]
-        for index, own in numbers.items():
-            self._join(own, [number for other in grid.neighbours(index) for number in numbers.get(other, ())])
+
+    def add_cells(self, pieces_by_cell: Sequence[Sequence[SweepPiece]], groups: Sequence[int]) -> None:
+        """The pieces of the next cells."""
+        self._add_groups(groups)
+        for pieces in pieces_by_cell:
+            cell = len(self._ends) - 1
+            own = [self._add(piece, cell) for piece in pieces]
+            self._ends.append(len(self.pieces))
+            before = (self._grid.number(other) for other in self._grid.neighbours(self._grid.index(cell)))
+            around = [n for other in before if other < cell for n in range(self._ends[other], self._ends[other + 1])]
+            self._join(own, around)
+
+    def _add_groups(self, groups: Sequence[int]) -> None:
+        first = len(self.pieces)
+        self.groups += [first + group for group in groups]
 
     def _add(self, piece: SweepPiece, cell: int) -> int:
         self.pieces.append(piece)
-        self.near.append(set())
+        self.near.append([])
         self._cells.append(cell)
         return len(self.pieces) - 1
 
@@ -53,19 +71,20 @@ class Patchwork:
         for k, number in enumerate(own):
             for other in (*own[k + 1 :], *around):
                 if common_place(self.pieces[number], self.pieces[other]) is not None:
-                    self.near[number].add(other)
-                    self.near[other].add(number)
+                    self.near[number].append(other)
+                    self.near[other].append(number)
 
-    def replace(self, number: int, parts: Sequence[SweepPiece]) -> None:
+    def replace(self, number: int, parts: Sequence[SweepPiece], groups: Sequence[int]) -> None:
         """Put the parts in the place of a piece. One that did not fall into parts is divided again only where others
         are beside it than before."""
         self._replaced.add(number)
+        self._add_groups(groups)
         added = [self._add(part, self._cells[number]) for part in parts]
         if len(added) == 1 and number in self._beside:
             self._in_vain[added[0]] = self._beside[number]
         around = sorted(self.near[number])
         for other in around:
-            self.near[other].discard(number)
+            self.near[other].remove(number)
         self._join(added, around)
 
     def order(self) -> list[int]:
@@ -74,7 +93,7 @@ class Patchwork:
         return sorted(there, key=lambda number: (self._cells[number], self.pieces[number].lower))
 
     def divisible(
-        self, own: Collection[int], equations: Equations, place: Sequence[fmpq], spot: Sequence[arb]
+        self, own: Set[int], equations: Equations, place: Sequence[fmpq], spot: Sequence[arb]
     ) -> list[tuple[int, Cell]]:
         """The undecided pieces that may be divided with some hope, the largest first, each as a cell.
 
@@ -82,29 +101,45 @@ class Patchwork:
         that do not hold it, or that at ``place``, where it is ``spot``, if none holds it.
         """
         chosen: list[tuple[int, Origin]] = []
+        self._beside = {}
         for number in self.order():
             piece = self.pieces[number]
-            beside = frozenset() if number in own else frozenset(self.near[number] & {*own})
-            self._beside[number] = beside
+            if number in own and piece.kind is not Kind.OPEN:
+                continue
+            beside = frozenset() if number in own else frozenset(own & frozenset(self.near[number]))
             if self._in_vain.get(number) == beside or self._is_small(piece):
                 continue
-            if number in own:
-                tube = piece.tube()
-                if piece.kind is Kind.OPEN and tube is not None:
-                    chosen.append((number, Origin.of_tube(tube)))
-            elif not self._line:
-                tubes = [tube for other in sorted(beside) if (tube := self.pieces[other].tube())]
-                origins = [Origin.of_tube(tube) for tube in tubes]
-                if not own and piece.holds(place):
-                    at = proved_tube(equations, tuple(place), tuple(place), _standing(place, spot))
-                    origins = [] if at is None else [Origin.of(at)]
-                if origins:
-                    chosen.append((number, min(origins, key=lambda each: each.distance(piece.lower, piece.upper))))
+            origin = self._origin(number, own, beside, equations, place, spot)
+            if origin is not None:
+                chosen.append((number, origin))
+                self._beside[number] = beside
         chosen.sort(key=lambda pair: -_volume(self.pieces[pair[0]].lower, self.pieces[pair[0]].upper))
         return [
             (number, Cell(self.pieces[number].lower, self.pieces[number].upper, origin, _BOXES))
             for number, origin in chosen
         ]
+
+    def _origin(
+        self,
+        number: int,
+        own: Set[int],
+        beside: Collection[int],
+        equations: Equations,
+        place: Sequence[fmpq],
+        spot: Sequence[arb],
+    ) -> Origin | None:
+        """Where to look for the spot in an undecided piece; None: there is no hope."""
+        piece = self.pieces[number]
+        if number in own:
+            tube = piece.tube()
+            return None if tube is None else Origin.of_tube(tube)
+        if self._line:
+            return None
+        if not own and piece.holds(place):
+            at = proved_tube(equations, tuple(place), tuple(place), _standing(place, spot))
+            return None if at is None else Origin.of(at)
+        origins = [Origin.of_tube(tube) for other in sorted(beside) if (tube := self.pieces[other].tube())]
+        return min(origins, key=lambda each: each.distance(piece.lower, piece.upper), default=None)
 
     def _is_small(self, piece: SweepPiece) -> bool:
         least = _SMALLEST[len(piece.lower)]

@@ -17,6 +17,7 @@ from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord, interval
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Quantity
 from gspot_verified.numbers.balls import nonfinite, sign_of
+from gspot_verified.numbers.packed import PackedIntervals
 from gspot_verified.signs.gamma.side import MAX_BETA, gamma_sign
 
 DIFFERENCE = "alpha_3 - alpha_1"
@@ -44,7 +45,7 @@ class Findings:
         force = self.numbers["alpha_2"] / difference if sign_of(difference) in (1, -1) else None
         beta = self.numbers["beta"] if sign_of(self.numbers["alpha_1"]) in (1, -1) else None
         shown = [self.numbers[name] for name in ("alpha_1", "alpha_2", "alpha_3")]
-        numbers = tuple(map(interval, (*shown, beta, force, self.numbers["slip_velocity"])))
+        numbers = PackedIntervals(map(interval, (*shown, beta, force, self.numbers["slip_velocity"])))
         settled = (self.case, self.lift_off_sign, self.impact_sign) if kind is Kind.SETTLED else (None, None, None)
         tube = on.tube
         return SweepPiece(

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import itertools
+import math
+from array import array
 from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import overload
 
 from flint import arb, arb_mat, fmpq
 
@@ -20,6 +23,8 @@ _STEPS = 6  # of Newton's method from a neighbour's spot: further away it may en
 _SMALL = 1e-6  # relative size of the last step: the tube finds the rest
 
 Index = tuple[int, ...]
+Near = tuple[int, bytes] | Origin | None
+"""The number of a cell with centre and slopes in its middle, as doubles; or a place of its own; or no place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,14 +50,36 @@ class Grid:
 
     axes: tuple[Axis, ...]
 
+    def __len__(self) -> int:
+        return math.prod(axis.cells for axis in self.axes)
+
     def indices(self) -> list[Index]:
         """All cells, in order."""
         return list(itertools.product(*(range(axis.cells) for axis in self.axes)))
+
+    def index(self, number: int) -> Index:
+        """The cell with this number in that order."""
+        index = []
+        for axis in reversed(self.axes):
+            number, own = divmod(number, axis.cells)
+            index.append(own)
+        return tuple(reversed(index))
+
+    def number(self, index: Index) -> int:
+        """The number of a cell in that order."""
+        number = 0
+        for axis, own in zip(self.axes, index, strict=True):
+            number = number * axis.cells + own
+        return number
 
     def ends(self, index: Index) -> tuple[tuple[fmpq, ...], tuple[fmpq, ...]]:
         """The corners of a cell."""
         pairs = list(zip(self.axes, index, strict=True))
         return tuple(axis.cut(i) for axis, i in pairs), tuple(axis.cut(i + 1) for axis, i in pairs)
+
+    def middle(self, index: Index) -> tuple[fmpq, ...]:
+        """The middle of a cell."""
+        return tuple((low + high) / 2 for low, high in zip(*self.ends(index), strict=True))
 
     def cell_of(self, place: Sequence[fmpq]) -> Index:
         """A cell that holds the parameter values."""
@@ -70,40 +97,85 @@ class Grid:
                     yield (*index[:side], index[side] + step, *index[side + 1 :])
 
 
-def cells(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> list[Cell]:
+class GridCells(Sequence[Cell]):
+    """Cells of a grid, each made when it is asked for: of a place near which to look its numbers are kept as doubles.
+
+    ``start`` is the number of the first; ``near`` has for each the number of the cell whose place that is, and the
+    centre and slopes there, or nothing.
+    """
+
+    def __init__(self, grid: Grid, start: int, near: Sequence[Near]) -> None:
+        self._grid, self._start, self._near = grid, start, near
+
+    def __len__(self) -> int:
+        return len(self._near)
+
+    @overload
+    def __getitem__(self, index: int) -> Cell: ...
+    @overload
+    def __getitem__(self, index: slice) -> GridCells: ...
+    def __getitem__(self, index: int | slice) -> Cell | GridCells:
+        if isinstance(index, slice):
+            start, end, _ = index.indices(len(self))
+            return GridCells(self._grid, self._start + start, self._near[start:end])
+        own = range(len(self))[index]
+        return Cell(*self._grid.ends(self._grid.index(self._start + own)), self._origin(self._near[own]))
+
+    def _origin(self, near: Near) -> Origin | None:
+        if near is None or isinstance(near, Origin):
+            return near
+        number, values = near
+        exact = [fmpq(*value.as_integer_ratio()) for value in array("d", values)]
+        k = len(self._grid.axes)
+        n = len(exact) // (1 + k)
+        rows = tuple(tuple(exact[n + i * k : n + (i + 1) * k]) for i in range(n))
+        return Origin(self._grid.middle(self._grid.index(number)), tuple(exact[:n]), rows)
+
+
+def cells(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> GridCells:
     """All cells with a place near which to look; ``program`` gives the conditions, ``spot`` is known at ``place``.
 
     A cell without a spot of its own looks from a neighbour's.
     """
     with working_bits(_BITS):
         origins = _followed(program, grid, place, spot)
-    placed = []
-    for index in grid.indices():
-        near = origins.get(index) or next((origins[n] for n in grid.neighbours(index) if n in origins), None)
-        placed.append(Cell(*grid.ends(index), near))
-    return placed
+    near = [
+        origins[number]
+        or next((own for other in grid.neighbours(grid.index(number)) if (own := origins[grid.number(other)])), None)
+        for number in range(len(grid))
+    ]
+    return GridCells(grid, 0, near)
 
 
-def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> dict[Index, Origin]:
+def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> list[Near]:
+    found: list[Near] = [None] * len(grid)
     start = _corrected(program, tuple(place), [value.mid() for value in spot], float("inf"))
     first = grid.cell_of(place)
     if start is None:
-        return {}
-    origins: dict[Index, Origin] = {}
+        return found
     waiting: deque[tuple[Index, Origin]] = deque([(first, start)])
     while waiting:
         index, near = waiting.popleft()
-        if index in origins:
+        number = grid.number(index)
+        if found[number] is not None:
             continue
-        lower, upper = grid.ends(index)
-        middle = tuple((low + high) / 2 for low, high in zip(lower, upper, strict=True))
+        middle = grid.middle(index)
         predicted = near.predicted(middle)
         jump = max(abs(approximate(new) - approximate(old)) for new, old in zip(predicted, near.centre, strict=True))
         origin = _corrected(program, middle, predicted, jump / 2 + _SMALL)
-        if origin is not None:
-            origins[index] = origin
-            waiting.extend((other, origin) for other in grid.neighbours(index) if other not in origins)
-    return origins or {first: start}
+        values = b"" if origin is None else _doubles(origin)
+        if origin is not None and values:
+            found[number] = number, values
+            beside = (other for other in grid.neighbours(index) if found[grid.number(other)] is None)
+            waiting.extend((other, origin) for other in beside)
+    if not any(found):
+        found[grid.number(first)] = start
+    return found
+
+
+def _doubles(origin: Origin) -> bytes:
+    values = array("d", map(approximate, (*origin.centre, *(slope for row in origin.slopes for slope in row))))
+    return values.tobytes() if all(map(math.isfinite, values)) else b""
 
 
 def _corrected(program: BoxProgram, place: tuple[fmpq, ...], centre: Sequence[arb], reach: float) -> Origin | None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
+from itertools import accumulate, pairwise
 
 from flint import arb, fmpq
 
@@ -40,30 +41,64 @@ def same_zero(equations: Equations, first: Tube, second: Tube, place: Sequence[f
     return at is not None and all(tube.holds_at(place, at.tube.zero_at(place)) for tube in (first, second))
 
 
+def groups_in_a_row(equations: Equations, pieces_by_cell: Sequence[Sequence[SweepPiece]]) -> list[int]:
+    """For each piece, cell after cell, a number: two with the same one certainly hold the same zero, continued.
+
+    Only pieces of one cell and of the next are looked at: what is left out :func:`linked` looks at.
+    """
+    pieces = [piece for cell in pieces_by_cell for piece in cell]
+    ends = [0, *accumulate(map(len, pieces_by_cell))]
+    groups = list(range(len(pieces)))
+    tubes = [piece.tube() for piece in pieces]
+    for k, (begin, end) in enumerate(pairwise(ends)):
+        for number in range(begin, end):
+            for other in range(number + 1, ends[min(k + 2, len(ends) - 1)]):
+                own, its = tubes[number], tubes[other]
+                if own is None or its is None or groups[number] == groups[other]:
+                    continue
+                shared = common_place(pieces[number], pieces[other])
+                if shared is not None and same_zero(equations, own, its, shared):
+                    groups = [groups[number] if group == groups[other] else group for group in groups]
+    return groups
+
+
 def linked(
     equations: Equations,
     pieces: Sequence[SweepPiece],
     neighbours: Callable[[int], Sequence[int]],
     place: Sequence[fmpq],
     spot: Sequence[arb],
+    groups: Sequence[int] | None = None,
 ) -> set[int]:
-    """The numbers of the pieces whose zero is the given spot, continued: ``spot`` encloses it at ``place``."""
-    tubes = [piece.tube() for piece in pieces]
+    """The numbers of the pieces whose zero is the given spot, continued: ``spot`` encloses it at ``place``.
+
+    ``groups``: pieces with the same number are known to hold the same zero, continued.
+    """
+    alike: dict[int, list[int]] = {}
+    for number, group in enumerate(groups or range(len(pieces))):
+        alike.setdefault(group, []).append(number)
     numbers: set[int] = set()
     waiting: deque[int] = deque()
-    for number, (piece, tube) in enumerate(zip(pieces, tubes, strict=True)):
-        if tube is not None and piece.holds(place) and tube.holds_at(place, spot):
-            numbers.add(number)
-            waiting.append(number)
+
+    def take(number: int) -> None:
+        together = alike[groups[number]] if groups else [number]
+        numbers.update(together)
+        waiting.extend(together)
+
+    for number, piece in enumerate(pieces):
+        if number not in numbers and piece.holds(place):
+            tube = piece.tube()
+            if tube is not None and tube.holds_at(place, spot):
+                take(number)
     while waiting:
         number = waiting.popleft()
-        own = tubes[number]
-        for other in neighbours(number):
-            its = tubes[other]
-            shared = None if other in numbers or its is None else common_place(pieces[number], pieces[other])
+        open_neighbours = [other for other in neighbours(number) if other not in numbers]
+        own = pieces[number].tube() if open_neighbours else None
+        for other in open_neighbours:
+            its = None if other in numbers else pieces[other].tube()
+            shared = None if its is None else common_place(pieces[number], pieces[other])
             if shared is not None and own is not None and its is not None and same_zero(equations, own, its, shared):
-                numbers.add(other)
-                waiting.append(other)
+                take(other)
     return numbers
 
 

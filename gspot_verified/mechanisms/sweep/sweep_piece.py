@@ -15,12 +15,15 @@ from flint import arb, fmpq
 
 from gspot_verified.mechanisms.zeros.tube import Tube
 from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.numbers.packed import PackedIntervals
 from gspot_verified.numbers.verdict import NoTruthValue
 
 NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity")
 """What is enclosed on a piece; None where it is not defined for all its parameter values, or not certainly."""
 
 _RADIUS_BITS = 28  # two less than FLINT's 30 for a radius: room to come back without rounding up
+
+NO_NUMBERS = PackedIntervals([None] * len(NUMBERS))
 
 Intervals = tuple[Dyadic, ...]
 
@@ -38,30 +41,32 @@ class Kind(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class TubeRecord:
-    """A :class:`Tube` in exact intervals: centre, slopes row by row, within, found.
+    """A :class:`Tube` in exact intervals: centre, slopes row by row, within, found, of so many ``unknowns``.
 
     ``within`` is a little smaller than the tube's (and comes back as it is): in a wider one the zero was not shown to
     be the only one.
     """
 
-    centre: Intervals
-    slopes: Intervals
-    within: Intervals
-    found: Intervals
+    unknowns: int
+    sides: PackedIntervals
 
     @classmethod
     def of(cls, tube: Tube) -> TubeRecord:
         """The record of a tube."""
         slopes = [slope for row in tube.slopes for slope in row]
-        within = list(map(_not_wider, tube.within))
-        return cls(*(tuple(map(Dyadic.from_ball, part)) for part in (tube.centre, slopes, within, tube.found)))
+        balls = (*tube.centre, *slopes, *map(_not_wider, tube.within), *tube.found)
+        return cls(len(tube.centre), PackedIntervals(map(Dyadic.from_ball, balls)))
+
+    def parts(self) -> tuple[Intervals, Intervals, Intervals, Intervals]:
+        """Centre, slopes row by row, within, found."""
+        n = self.unknowns
+        sides = tuple(side for side in self.sides if side is not None)
+        return sides[:n], sides[n : -2 * n], sides[-2 * n : -n], sides[-n:]
 
     def tube(self, lower: tuple[fmpq, ...], upper: tuple[fmpq, ...]) -> Tube:
         """The tube over its box of parameters. Centre and slopes come back exactly."""
         k = len(lower)
-        centre, slopes, within, rests = (
-            [side.to_ball() for side in part] for part in (self.centre, self.slopes, self.within, self.found)
-        )
+        centre, slopes, within, rests = ([side.to_ball() for side in part] for part in self.parts())
         rows = tuple(tuple(slopes[i * k : (i + 1) * k]) for i in range(len(centre)))
         return Tube(lower, upper, tuple(centre), rows, tuple(within), tuple(rests))
 
@@ -99,7 +104,7 @@ class SweepPiece(NoTruthValue):
     impact_sign: int | None = None
     unsure: tuple[str, ...] = ()
     passing: Passing | None = None
-    numbers: tuple[Dyadic | None, ...] = (None,) * len(NUMBERS)
+    numbers: PackedIntervals = NO_NUMBERS
     record: TubeRecord | None = None
 
     @property
@@ -139,9 +144,7 @@ class SweepPiece(NoTruthValue):
             if passing is None
             else [passing.quantity, passing.along, passing.direction, passing.before, passing.after],
             "numbers": [None if number is None else str(number) for number in self.numbers],
-            "tube": None
-            if record is None
-            else [[str(side) for side in part] for part in (record.centre, record.slopes, record.within, record.found)],
+            "tube": None if record is None else [[str(side) for side in part] for part in record.parts()],
         }
 
 

@@ -1,7 +1,8 @@
 """The work of a sweep in portions: each goes to an executor by itself, and the tubes that it met are kept in a journal.
 
 A journal holds choices: every piece is proved again along them, and a digest says whether it is what it was.
-Portions depend on the question alone, so the pieces are the same for every executor and after every kill.
+Portions depend on the question alone, so the pieces are the same for every executor and after every kill. What can be
+done where a portion is examined is done there: its journal's line, and which of its pieces are linked.
 """
 
 from __future__ import annotations
@@ -15,17 +16,19 @@ from dataclasses import dataclass, fields
 from functools import lru_cache, partial
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.parametric_system import parametric_system
-from gspot_verified.mechanisms.sweep.sweep_cell import Cell, Examination
+from gspot_verified.mechanisms.sweep.sweep_cell import BITS, Cell, Examination
 from gspot_verified.mechanisms.sweep.sweep_findings import equations
 from gspot_verified.mechanisms.sweep.sweep_grid import Grid
+from gspot_verified.mechanisms.sweep.sweep_links import groups_in_a_row
 from gspot_verified.mechanisms.sweep.sweep_piece import SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, read_choice
 from gspot_verified.mechanisms.zeros.tube import Equations
-from gspot_verified.work.executors import InProcessExecutor
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.work.executors import in_order
 from gspot_verified.work.journal_file import JournalFile
 
 _PORTION = 32  # cells of one task, and of one line of the journal
@@ -80,12 +83,31 @@ def _equations(mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[s
     return equations(parametric_system(mechanism, parameters, fixed))
 
 
-def portions(cells: Sequence[Cell]) -> list[list[Cell]]:
+def portions(cells: Sequence[Cell]) -> list[Sequence[Cell]]:
     """The cells in runs of a fixed length."""
-    return [list(cells[i : i + _PORTION]) for i in range(0, len(cells), _PORTION)]
+    return [cells[i : i + _PORTION] for i in range(0, len(cells), _PORTION)]
 
 
-def examine(question: Question, cells: Sequence[Cell], known: Choices | None = None) -> tuple[Pieces, Choices]:
+class Answer(NamedTuple):
+    """What a portion of cells gave: it pickles."""
+
+    pieces: Pieces
+    groups: list[int]
+    """For each piece, one after the other, a number: those with the same one hold the same spot, continued."""
+    digest: str
+    choices: str
+    """The tubes, as JSON."""
+
+    def by_cell(self) -> Iterator[tuple[list[SweepPiece], list[int]]]:
+        """The pieces of each cell and their groups, counted from the cell's first piece."""
+        start = 0
+        for pieces in self.pieces:
+            groups = self.groups[start : start + len(pieces)]
+            yield pieces, [groups.index(group) for group in groups]
+            start += len(pieces)
+
+
+def examine(question: Question, cells: Sequence[Cell], known: Choices | None = None) -> Answer:
     """The pieces of some cells, and their tubes as choices, of which ``known`` ones are tried first; it pickles, and so
     do its arguments and its answer."""
     examination = Examination(question.equations(), question.digits)
@@ -94,13 +116,17 @@ def examine(question: Question, cells: Sequence[Cell], known: Choices | None = N
         assert cell is not None
         pieces.append(examination.pieces(cell, tubes or ()))
         choices.append(examination.kept_tubes.met)
-    return pieces, choices
+    with working_bits(BITS):
+        groups = groups_in_a_row(question.equations(), pieces)
+    return Answer(pieces, groups, digest(pieces), json.dumps(choices))
 
 
-def proved_again(question: Question, cells: Sequence[Cell], known: Choices, expected: str) -> tuple[Pieces, Choices]:
-    """The examination along known tubes; without them where other pieces come out than those of the digest."""
+def proved_again(question: Question, cells: Sequence[Cell], line: str) -> Answer:
+    """The examination along the tubes of a journal's line; without them where other pieces come out than those of its
+    digest."""
+    _, expected, known = _read(line)
     examined = examine(question, cells, known)
-    return examined if digest(examined[0]) == expected else examine(question, cells)
+    return examined if examined.digest == expected else examine(question, cells)
 
 
 def digest(pieces: Pieces) -> str:
@@ -111,7 +137,7 @@ def digest(pieces: Pieces) -> str:
 
 def results(
     question: Question, work: Sequence[Sequence[Cell]], executor: Executor, journal: JournalFile | None, first: int = 0
-) -> Iterator[Pieces]:
+) -> Iterator[Answer]:
     """The answers of the portions, in order; those that the journal holds are proved again along its choices.
 
     ``first``: the number of the first portion, where others have come before.
@@ -119,19 +145,17 @@ def results(
     :raises ValueError: a line of the journal cannot be read.
     """
     known = {} if journal is None else _recalled(journal)
-    answers: list[Callable[[], tuple[Pieces, Choices]]] = []
-    for number, cells in enumerate(work, first):
-        task = partial(examine, question, list(cells))
-        if number in known:
-            expected, tubes = known[number]
-            task = partial(proved_again, question, list(cells), tubes, expected)
-        # Not before its turn in this process: what is recorded is then all that was done, also after a kill.
-        answers.append(task if isinstance(executor, InProcessExecutor) else executor.submit(task).result)
-    for number, answer in enumerate(answers, first):
-        pieces, choices = answer()
-        if journal is not None and (number not in known or known[number][0] != digest(pieces)):
-            journal.add([number, digest(pieces), choices])
-        yield pieces
+
+    def task(number: int, cells: Sequence[Cell]) -> Callable[[], Answer]:
+        if journal is not None and number in known:
+            return partial(proved_again, question, cells, journal.lines[known[number][0]])
+        return partial(examine, question, cells)
+
+    tasks = (task(number, cells) for number, cells in enumerate(work, first))
+    for number, answer in enumerate(in_order(executor, tasks), first):
+        if journal is not None and (number not in known or known[number][1] != answer.digest):
+            journal.add_text(f'[{number}, "{answer.digest}", {answer.choices}]')
+        yield answer
 
 
 def open_journal(
@@ -144,15 +168,21 @@ def open_journal(
     return nullcontext() if path is None else JournalFile(path, question.header(start, spot))
 
 
-def _recalled(journal: JournalFile) -> dict[int, tuple[str, Choices]]:
-    """Of each portion the digest and the choices."""
-    recalled: dict[int, tuple[str, Choices]] = {}
-    for line in journal.lines:
+def _recalled(journal: JournalFile) -> dict[int, tuple[int, str]]:
+    """Of each portion its last line, by number, and the digest there."""
+    recalled: dict[int, tuple[int, str]] = {}
+    for k, line in enumerate(journal.lines):
         try:
-            number, expected, data = json.loads(line)
-            if type(number) is not int:
-                raise ValueError("a portion has a number")
-            recalled[number] = str(expected), [[read_choice(tube) for tube in cell] for cell in data]
+            number, expected, _ = _read(line)
         except (ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
             raise ValueError(f"{journal.path}: a line of the journal cannot be read: {error}") from None
+        recalled[number] = k, expected
     return recalled
+
+
+def _read(line: str) -> tuple[int, str, Choices]:
+    """The number of the portion, the digest and the choices."""
+    number, expected, data = json.loads(line)
+    if type(number) is not int:
+        raise ValueError("a portion has a number")
+    return number, str(expected), [[read_choice(tube) for tube in cell] for cell in data]

@@ -40,27 +40,35 @@ def piece(left: int, right: int, low: int = 0, high: int = 4, kind: Kind = Kind.
     return SweepPiece((fmpq(left, 4), fmpq(low, 4)), (fmpq(right, 4), fmpq(high, 4)), kind)
 
 
+def patched(grid: Grid, pieces_by_cell: list[list[SweepPiece]]) -> Patchwork:
+    """Nothing is known to be linked."""
+    patchwork = Patchwork(grid)
+    patchwork.add_cells(pieces_by_cell, range(sum(map(len, pieces_by_cell))))
+    return patchwork
+
+
 def touching(patchwork: Patchwork) -> set[tuple[int, int]]:
     there = patchwork.order()
     assert all(number in patchwork.near[other] for number in there for other in patchwork.near[number])
+    assert all(len({*patchwork.near[number]}) == len(patchwork.near[number]) for number in there)
     return {(one, other) for one, other in combinations(sorted(there), 2) if other in patchwork.near[one]}
 
 
 def test_a_piece_touches_those_with_a_side_in_common() -> None:
-    patchwork = Patchwork(MAP, [[piece(0, 4)], [piece(4, 8, 0, 2), piece(4, 8, 2, 4)]])
+    patchwork = patched(MAP, [[piece(0, 4)], [piece(4, 8, 0, 2), piece(4, 8, 2, 4)]])
     assert patchwork.order() == [0, 1, 2]
     assert touching(patchwork) == {(0, 1), (0, 2), (1, 2)}
-    diagonal = Patchwork(MAP, [[piece(0, 4, 0, 2), piece(0, 4, 2, 4)], [piece(4, 8, 0, 2), piece(4, 8, 2, 4)]])
+    diagonal = patched(MAP, [[piece(0, 4, 0, 2), piece(0, 4, 2, 4)], [piece(4, 8, 0, 2), piece(4, 8, 2, 4)]])
     assert touching(diagonal) == {(0, 1), (0, 2), (1, 3), (2, 3)}
 
 
 def test_parts_take_the_place_of_a_piece() -> None:
     """Two times, the second time a part that lies inside: neighbours and order are those of what is there."""
-    patchwork = Patchwork(MAP, [[piece(0, 4)], [piece(4, 8)]])
-    patchwork.replace(0, [piece(0, 2), piece(2, 4)])
+    patchwork = patched(MAP, [[piece(0, 4)], [piece(4, 8)]])
+    patchwork.replace(0, [piece(0, 2), piece(2, 4)], range(2))
     assert patchwork.order() == [2, 3, 1]
     assert touching(patchwork) == {(2, 3), (1, 3)}
-    patchwork.replace(3, [piece(2, 4, 0, 1), piece(2, 4, 1, 4)])
+    patchwork.replace(3, [piece(2, 4, 0, 1), piece(2, 4, 1, 4)], range(2))
     assert [patchwork.pieces[number].lower for number in patchwork.order()] == [
         (fmpq(0), fmpq(0)), (fmpq(1, 2), fmpq(0)), (fmpq(1, 2), fmpq(1, 4)), (fmpq(1), fmpq(0)),
     ]  # fmt: skip
@@ -80,16 +88,16 @@ def asked(patchwork: Patchwork, own: set[int], place: tuple[fmpq, ...] = (fmpq(0
 
 def test_what_may_be_divided() -> None:
     """ξ = k on a map: at first the piece at the start; not again what did not fall into parts, nor what is tiny."""
-    patchwork = Patchwork(MAP, [[piece(0, 4)], [piece(4, 8)]])
+    patchwork = patched(MAP, [[piece(0, 4)], [piece(4, 8)]])
     assert asked(patchwork, set()) == [0]
     assert asked(patchwork, set(), (fmpq(1), fmpq(1))) == [0, 1]
     asked(patchwork, set())
-    patchwork.replace(0, [piece(0, 4)])
+    patchwork.replace(0, [piece(0, 4)], range(1))
     assert asked(patchwork, set()) == []
     tiny = SweepPiece((fmpq(0), fmpq(0)), (fmpq(1, 2**14), fmpq(1, 2)), Kind.NO_TUBE)
-    assert asked(Patchwork(MAP, [[tiny], [piece(4, 8)]]), set()) == []
+    assert asked(patched(MAP, [[tiny], [piece(4, 8)]]), set()) == []
     without = SweepPiece((fmpq(0),), (fmpq(1),), Kind.NO_TUBE)
-    assert asked(Patchwork(LINE, [[without], []]), set(), (fmpq(0),)) == []
+    assert asked(patched(LINE, [[without], []]), set(), (fmpq(0),)) == []
 
 
 def area(result: Sweep) -> fmpq:

@@ -11,7 +11,7 @@ from flint import arb, fmpq
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Variable
 from gspot_verified.mechanisms.sweep import sweep_links
-from gspot_verified.mechanisms.sweep.sweep_links import common_place, linked, same_zero
+from gspot_verified.mechanisms.sweep.sweep_links import common_place, groups_in_a_row, linked, same_zero
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, Tube
@@ -77,6 +77,30 @@ def test_the_other_root_ends_it_also_where_the_first_goes_on_behind_it() -> None
     line = [root(1, 2), root(2, 3, -1), root(3, 5), root(5, 6), root(6, 7, -1)]
     assert from_four(line) == {2, 3}
     assert from_four(line, spot=-2) == set()
+
+
+def test_groups_are_those_that_hold_the_same_root() -> None:
+    """Cell after cell; beyond the next cell, and where there is no tube, nothing is said. The links are the same."""
+    line = [root(1, 2), root(2, 3), root(3, 5, -1), root(5, 6, -1), box(((6,), (7,))), root(7, 8, -1)]
+    with working_bits(80):
+        groups = groups_in_a_row(ROOT, [[line[0], line[1]], [line[2]], [], [line[3]], [line[4], line[5]]])
+        assert len(set(groups)) == 5
+        assert groups[0] == groups[1]
+        assert groups_in_a_row(ROOT, [[each] for each in line[:4]])[2:] == [2, 2]
+        for spot in (2, -2):
+            near = [[j for j in (i - 1, i + 1) if 0 <= j < 4] for i in range(4)]
+            without, given = (
+                linked(ROOT, line[:4], near.__getitem__, (fmpq(4),), [arb(spot)], known)
+                for known in (None, groups_in_a_row(ROOT, [line[:2], line[2:4]]))
+            )
+            assert without == given == ({2, 3} if spot < 0 else set())
+
+
+def test_a_group_is_taken_whole() -> None:
+    """What is known to hold the same zero is not asked again, also beyond a piece that is no neighbour."""
+    line = [root(3, 5), root(5, 6), root(6, 7)]
+    with working_bits(80):
+        assert linked(ROOT, line, lambda _: [], (fmpq(4),), [arb(2)], [7, 1, 7]) == {0, 2}
 
 
 def test_a_piece_without_a_tube_ends_it() -> None:

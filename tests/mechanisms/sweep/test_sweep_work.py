@@ -20,7 +20,15 @@ from gspot_verified.mechanisms.sweep import sweep_work
 from gspot_verified.mechanisms.sweep.sweep_cell import Cell
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
-from gspot_verified.mechanisms.sweep.sweep_work import Pieces, Question, examine, open_journal, portions, results
+from gspot_verified.mechanisms.sweep.sweep_work import (
+    Answer,
+    Question,
+    digest,
+    examine,
+    open_journal,
+    portions,
+    results,
+)
 from gspot_verified.work.executors import InProcessExecutor
 
 QUESTION = Question(family("q - k", "0"), Grid((Axis("k", fmpq(-1), fmpq(1), 70),)), ("x", "u"), 8)
@@ -37,7 +45,7 @@ def test_portions_hold_every_cell_in_order() -> None:
 
 def test_cells_without_a_place_have_no_tube() -> None:
     pieces = [[SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)] for cell in CELLS[:2]]
-    assert examine(QUESTION, CELLS[:2]) == (pieces, [[], []])
+    assert examine(QUESTION, CELLS[:2]) == Answer(pieces, [0, 1], digest(pieces), "[[], []]")
 
 
 def test_the_journal_s_first_line_tells_mechanisms_apart() -> None:
@@ -56,19 +64,19 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How many cells each portion had that was examined."""
     calls: list[int] = []
 
-    def own(question: Question, cells: list[Cell], known: Any = None) -> tuple[Pieces, Any]:
+    def own(question: Question, cells: list[Cell], known: Any = None) -> Answer:
         assert question is QUESTION
         if known is None:
             calls.append(len(cells))
         pieces = [[SweepPiece(cell.lower, cell.upper, Kind.OPEN, unsure=("beta - 2",))] for cell in cells]
-        return pieces, [[None] for _ in cells]
+        return Answer(pieces, [*range(len(cells))], digest(pieces), json.dumps([[None] for _ in cells]))
 
     monkeypatch.setattr(sweep_work, "examine", own)
     return calls
 
 
-def flat(found: list[Pieces]) -> list[tuple[fmpq, ...]]:
-    return [piece.lower for portion in found for cell in portion for piece in cell]
+def flat(found: list[Answer]) -> list[tuple[fmpq, ...]]:
+    return [piece.lower for portion in found for cell in portion.pieces for piece in cell]
 
 
 @pytest.mark.parametrize("threads", [False, True])
