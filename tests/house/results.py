@@ -121,6 +121,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "SimulatorComparison": _comparison,
     "SlowZeros": lambda: g.zeros("5/2", "1/10"),
     "SlowZerosCertificate": lambda: g.slow_zeros_certificate("9/2..37/8", 10),
+    "ClassifiedRow": lambda: next(g.classify_table(g.load("genot_brogliato_rod"), [{"mu": "8/5"}])),
     "Sweep": lambda: g.sweep(g.load("oscillator"), {"beta": "9/4..11/4:4"}),
     "Trajectory": trajectory,
     "UniformBound": lambda: g.uniform_bound(g.expand(extended_example(chi=1), 6), -3, 2, "1/20"),

@@ -11,8 +11,10 @@ import typer
 
 from gspot_verified.cli.app import JsonFlag, app, counted, print_json, refuse, warn
 from gspot_verified.cli.command_groups import example
+from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
+from gspot_verified.cli.table_output import write_classified_table
 from gspot_verified.numbers.counted import done_of
 
 if TYPE_CHECKING:
@@ -58,6 +60,14 @@ def classify(
         str | None, typer.Option("--from", help="Where slip from this state leads, as in `approach`.")
     ] = None,
     verbose: Annotated[bool, typer.Option("--verbose", help="All numbers of each G-spot, in balls.")] = False,
+    table: Annotated[
+        Path | None,
+        typer.Option(help="Classify each row of a CSV file of parameter values; its first line has names."),
+    ] = None,
+    output: Annotated[Path | None, typer.Option(help="With --table: the CSV file for its answers.")] = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
+    journal: JournalFile = None,
     as_json: JsonFlag = False,
 ) -> None:
     """A mechanism's G-spots: slip, Case, β, and what happens. A table; --verbose: also alpha_i.
@@ -65,7 +75,16 @@ def classify(
     All of its G-spots with --all, --box, or where the file gives no place, or one that is no G-spot for these
     parameters; then exit code 1: there is none, proved. The number of a G-spot is the N of --spot N elsewhere.
     Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
+
+    With --table the one G-spot near the file's place is classified for each row of parameter values, in a CSV file;
+    a row that is refused or undecided says why, and then the exit code is 2.
     """
+    if table is not None:
+        alone = {"--all": everywhere, "--box": box, "--budget": budget, "--from": from_state, "--verbose": verbose}
+        refuse("not with --table, whose answers are the rows of --output", alone | {"--json": as_json})
+        write_classified_table(load_with_settings(name, settings), table, output, workers, scheduler, journal)
+    only = {"--output": output, "--scheduler": scheduler, "--journal": journal, "--workers": workers != 1}
+    refuse("only with --table", only)
     if from_state is not None:
         refuse(
             "--from follows slip from that state, as approach does, and lists no G-spots",

@@ -39,17 +39,20 @@ class Findings:
     impact_sign: int | None
     unsure: tuple[str, ...]
 
-    def piece(self, on: OnTube, kind: Kind) -> SweepPiece:
-        """The piece of a sweep; Case and side only where it is settled."""
+    def shown(self) -> PackedIntervals:
+        """The enclosures of ``sweep_piece.NUMBERS``."""
         difference = self.numbers[DIFFERENCE]
         force = self.numbers["alpha_2"] / difference if sign_of(difference) in (1, -1) else None
         beta = self.numbers["beta"] if sign_of(self.numbers["alpha_1"]) in (1, -1) else None
         shown = [self.numbers[name] for name in ("alpha_1", "alpha_2", "alpha_3")]
-        numbers = PackedIntervals(map(interval, (*shown, beta, force, self.numbers["slip_velocity"])))
+        return PackedIntervals(map(interval, (*shown, beta, force, self.numbers["slip_velocity"])))
+
+    def piece(self, on: OnTube, kind: Kind) -> SweepPiece:
+        """The piece of a sweep; Case and side only where it is settled."""
         settled = (self.case, self.lift_off_sign, self.impact_sign) if kind is Kind.SETTLED else (None, None, None)
         tube = on.tube
         return SweepPiece(
-            tube.lower, tube.upper, kind, *settled, unsure=self.unsure, numbers=numbers, record=TubeRecord.of(tube)
+            tube.lower, tube.upper, kind, *settled, unsure=self.unsure, numbers=self.shown(), record=TubeRecord.of(tube)
         )
 
 

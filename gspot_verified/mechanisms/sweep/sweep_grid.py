@@ -149,7 +149,7 @@ def cells(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence
 
 def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> list[Near]:
     found: list[Near] = [None] * len(grid)
-    start = _corrected(program, tuple(place), [value.mid() for value in spot], float("inf"))
+    start = newton_origin(program, tuple(place), [value.mid() for value in spot], float("inf"))
     first = grid.cell_of(place)
     if start is None:
         return found
@@ -162,7 +162,7 @@ def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequ
         middle = grid.middle(index)
         predicted = near.predicted(middle)
         jump = max(abs(approximate(new) - approximate(old)) for new, old in zip(predicted, near.centre, strict=True))
-        origin = _corrected(program, middle, predicted, jump / 2 + _SMALL)
+        origin = newton_origin(program, middle, predicted, jump / 2 + _SMALL)
         values = b"" if origin is None else _doubles(origin)
         if origin is not None and values:
             found[number] = number, values
@@ -178,12 +178,14 @@ def _doubles(origin: Origin) -> bytes:
     return values.tobytes() if all(map(math.isfinite, values)) else b""
 
 
-def _corrected(program: BoxProgram, place: tuple[fmpq, ...], centre: Sequence[arb], reach: float) -> Origin | None:
-    """Newton's method at one parameter value; None where it leads far away or nowhere."""
+def newton_origin(
+    program: BoxProgram, place: tuple[fmpq, ...], centre: Sequence[arb], reach: float, limit: int = _STEPS
+) -> Origin | None:
+    """Newton's method at one parameter value, with so many steps; None where it leads far away or nowhere."""
     n = len(centre)
     point, moved = list(centre), 0.0
     at = [arb(value).mid() for value in place]
-    for _ in range(_STEPS):
+    for _ in range(limit):
         values, rows = program.gradients([*point, *at])
         matrix = arb_mat([[value.mid() for value in row[:n]] for row in rows])
         right = arb_mat(

@@ -56,7 +56,7 @@ class Question:
 
     def header(self, start: Sequence[Any], spot: Mapping[str, str]) -> dict[str, Any]:
         """What a journal's first line says: the mechanism by its hash, the spot at the start."""
-        whole = hashlib.sha256(_whole(self.mechanism).encode()).hexdigest()
+        whole = hashlib.sha256(whole_text(self.mechanism).encode()).hexdigest()
         return {
             "kind": f"sweep {_VERSION}",
             "mechanism": whole,
@@ -69,17 +69,18 @@ class Question:
 
     def equations(self) -> Equations:
         """The conditions and quantities, compiled once in each process."""
-        return _equations(self.mechanism, self.parameters, self.fixed)
+        return compiled(self.mechanism, self.parameters, self.fixed)
 
 
-def _whole(mechanism: Mechanism) -> str:
+def whole_text(mechanism: Mechanism) -> str:
     """All that the mechanism is, as text, without its drawing; its own ``repr`` is short."""
     own = [each.name for each in fields(mechanism) if each.compare]
     return f"Mechanism({', '.join(f'{name}={getattr(mechanism, name)!r}' for name in own)})"
 
 
 @lru_cache(maxsize=4)
-def _equations(mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[str, ...]) -> Equations:
+def compiled(mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[str, ...]) -> Equations:
+    """The conditions and quantities as functions of the state and these parameters, compiled once in each process."""
     return equations(parametric_system(mechanism, parameters, fixed))
 
 
@@ -124,7 +125,7 @@ def examine(question: Question, cells: Sequence[Cell], known: Choices | None = N
 def proved_again(question: Question, cells: Sequence[Cell], line: str) -> Answer:
     """The examination along the tubes of a journal's line; without them where other pieces come out than those of its
     digest."""
-    _, expected, known = _read(line)
+    _, expected, known = read_line(line)
     examined = examine(question, cells, known)
     return examined if examined.digest == expected else examine(question, cells)
 
@@ -144,7 +145,7 @@ def results(
 
     :raises ValueError: a line of the journal cannot be read.
     """
-    known = {} if journal is None else _recalled(journal)
+    known = {} if journal is None else recalled(journal)
 
     def task(number: int, cells: Sequence[Cell]) -> Callable[[], Answer]:
         if journal is not None and number in known:
@@ -168,19 +169,19 @@ def open_journal(
     return nullcontext() if path is None else JournalFile(path, question.header(start, spot))
 
 
-def _recalled(journal: JournalFile) -> dict[int, tuple[int, str]]:
+def recalled(journal: JournalFile) -> dict[int, tuple[int, str]]:
     """Of each portion its last line, by number, and the digest there."""
     recalled: dict[int, tuple[int, str]] = {}
     for k, line in enumerate(journal.lines):
         try:
-            number, expected, _ = _read(line)
+            number, expected, _ = read_line(line)
         except (ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
             raise ValueError(f"{journal.path}: a line of the journal cannot be read: {error}") from None
         recalled[number] = k, expected
     return recalled
 
 
-def _read(line: str) -> tuple[int, str, Choices]:
+def read_line(line: str) -> tuple[int, str, Choices]:
     """The number of the portion, the digest and the choices."""
     number, expected, data = json.loads(line)
     if type(number) is not int:

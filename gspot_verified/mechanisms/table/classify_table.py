@@ -1,0 +1,244 @@
+"""A mechanism for many values of its parameters: the Case and the side of each row's G-spot, proved row by row.
+
+Everything symbolic is done once in each process: the conditions of a G-spot, and what is asked of it, are functions of
+the state and of the parameters, compiled as for a sweep. A row is a sweep's box of one point: ``proofs/sweep.md``,
+sections 1 to 4.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from itertools import chain, islice
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from flint import arb, fmpq
+
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.expressions import Variable
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.mechanisms.derive.impossible import refuse_impossible
+from gspot_verified.mechanisms.derive.to_system import angle_ball, shift
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, require_mechanism
+from gspot_verified.mechanisms.spots.g_spot import symbolic_place
+from gspot_verified.mechanisms.spots.parametric_system import parametric_system
+from gspot_verified.mechanisms.sweep.sweep_cell import BITS
+from gspot_verified.mechanisms.sweep.sweep_findings import findings
+from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
+from gspot_verified.mechanisms.sweep.sweep_grid import newton_origin
+from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, interval
+from gspot_verified.mechanisms.sweep.sweep_start import proved_tube
+from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
+from gspot_verified.mechanisms.sweep.sweep_work import compiled, read_line, recalled, whole_text
+from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
+from gspot_verified.mechanisms.table.parameter_rows import ParameterRow, Row, parameter_rows
+from gspot_verified.mechanisms.zeros.tube import Equations, OnTube
+from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.work.executors import InProcessExecutor, in_order
+from gspot_verified.work.journal_file import JournalFile
+
+_PORTION = 64  # rows of one task, and of one line of the journal
+_STEPS = 40  # of Newton's method: a limit of effort
+_NOT_FOUND = "no G-spot was found from the place that the mechanism names"
+
+
+@dataclass(frozen=True, slots=True)
+class _Question:
+    """The mechanism, its columns, the components that keep their values, and the mechanism's own G-spot."""
+
+    mechanism: Mechanism
+    parameters: tuple[str, ...]
+    fixed: tuple[str, ...]
+    own: tuple[fmpq, ...]
+
+    def header(self) -> dict[str, Any]:
+        """What a journal's first line says."""
+        return {
+            "kind": "table 1",
+            "mechanism": hashlib.sha256(whole_text(self.mechanism).encode()).hexdigest(),
+            "parameters": list(self.parameters),
+            "fixed": list(self.fixed),
+        }
+
+    def equations(self) -> Equations:
+        """The conditions and quantities, compiled once in each process."""
+        return compiled(self.mechanism, self.parameters, self.fixed)
+
+
+class _Answer(NamedTuple):
+    """What a portion of rows gave: it pickles."""
+
+    rows: list[ClassifiedRow]
+    digest: str
+    choices: str
+
+
+def classify_table(
+    mechanism: Mechanism,
+    table: str | Path | Iterable[Row],
+    *,
+    executor: Executor | None = None,
+    journal: str | Path | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> Iterator[ClassifiedRow]:
+    """The Case and the side of the mechanism's G-spot for each row of parameter values, in their order, as they come.
+
+    ``table``: a CSV file whose first line names parameters, with exact numbers ("0.1" means 1/10); or mappings from
+    names to values. Other parameters keep their values. In each row the search begins at the place that the mechanism
+    names, with the row's values in it, then at the mechanism's own G-spot; what is found is proved to be the only
+    G-spot in a box. A row that is wrong, or a mechanism that cannot be, is refused alone. ``executor``: where rows are
+    looked at; the result is the same for every one. ``journal``: a killed run goes on from this file; what it recalls
+    is proved again. ``progress`` is told how many rows are done. Memory does not grow with the table.
+
+    :raises GSpotError: the mechanism itself has no G-spot, or a degenerate one.
+    :raises MechanismError: a column is no parameter, there is no row, or the mechanism is not complete.
+    :raises ValueError: the journal is of another question, or the mechanism has several G-spots and names none.
+
+    >>> from gspot_verified import load
+    >>> rod = load("genot_brogliato_rod")
+    >>> rows = classify_table(rod, [{"mu": "3/2", "L": 1}, {"mu": 2, "L": "1/3"}, {"mu": -1, "L": 1}])
+    >>> [(row.outcome, row.case) for row in rows]
+    [('settled', 'none'), ('settled', 'II'), ('refused', None)]
+    """
+    require_mechanism(mechanism)
+    table_rows = parameter_rows(mechanism, table)
+    first = first_spot(mechanism, None)
+    with working_bits(BITS):
+        own = tuple(_exact(ball(value)) for value in first.system.point)
+    question = _Question(with_place_of(mechanism, first), table_rows.parameters, first.fixed, own)
+    kept = None if journal is None else JournalFile(journal, question.header())
+    return _classified(question, table_rows.rows, executor or InProcessExecutor(), kept, progress)
+
+
+def _classified(
+    question: _Question,
+    rows: Iterator[ParameterRow],
+    executor: Executor,
+    journal: JournalFile | None,
+    progress: Callable[[int], None] | None,
+) -> Iterator[ClassifiedRow]:
+    try:
+        known = {} if journal is None else recalled(journal)
+
+        def task(number: int, portion: list[ParameterRow]) -> Callable[[], _Answer]:
+            if journal is not None and number in known:
+                return partial(_proved_again, question, portion, journal.lines[known[number][0]])
+            return partial(_examined, question, portion)
+
+        portions = iter(lambda: list(islice(rows, _PORTION)), [])
+        done = 0
+        for number, answer in enumerate(in_order(executor, (task(*each) for each in enumerate(portions)))):
+            if journal is not None and (number not in known or known[number][1] != answer.digest):
+                journal.add_text(f'[{number}, "{answer.digest}", {answer.choices}]')
+            done += len(answer.rows)
+            if progress is not None:
+                progress(done)
+            yield from answer.rows
+    finally:
+        if journal is not None:
+            journal.close()
+
+
+def _proved_again(question: _Question, rows: list[ParameterRow], line: str) -> _Answer:
+    """Along the tubes of a journal's line; without them where other rows come out than those of its digest."""
+    _, expected, known = read_line(line)
+    answer = _examined(question, rows, known)
+    return answer if answer.digest == expected else _examined(question, rows)
+
+
+def _examined(question: _Question, rows: list[ParameterRow], known: list[list[Choice]] | None = None) -> _Answer:
+    done, choices = [], []
+    for row, tubes in zip(rows, chain(known or (), [[]] * len(rows)), strict=False):
+        trace = TubeTrace(tubes)
+        done.append(_row(question, row, trace))
+        choices.append(trace.met)
+    digest = hashlib.sha256("".join(row.to_csv() for row in done).encode()).hexdigest()
+    return _Answer(done, digest, json.dumps(choices))
+
+
+def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> ClassifiedRow:
+    mechanism, values = question.mechanism, row.values
+    if values is None:
+        return _unknown(mechanism, row, "refused", row.wrong)
+    try:
+        refuse_impossible(mechanism.with_parameters(**dict(zip(question.parameters, values, strict=True))))
+    except MechanismError as error:
+        return _unknown(mechanism, row, "refused", str(error))
+    with working_bits(BITS):
+        on = trace.tube(question.equations(), values, values, partial(_searched, question, values))
+        if on is None:
+            return _unknown(mechanism, row, "undecided", _NOT_FOUND)
+        facts = findings(on, {})
+        return ClassifiedRow(
+            number=row.number,
+            given=row.given,
+            outcome="undecided" if facts.unsure else "settled",
+            case=facts.case,
+            lift_off_sign=facts.lift_off_sign,
+            impact_sign=facts.impact_sign,
+            reason=f"not certain: {'; '.join(_said(name) for name in facts.unsure)}" if facts.unsure else "",
+            numbers=tuple(zip(NUMBERS, facts.shown(), strict=True)),
+            point=tuple(zip(mechanism.state, map(interval, _point(mechanism, on, values)), strict=True)),
+        )
+
+
+def _unknown(mechanism: Mechanism, row: ParameterRow, outcome: str, reason: str) -> ClassifiedRow:
+    nothing = tuple((name, None) for name in NUMBERS), tuple((word, None) for word in mechanism.state)
+    return ClassifiedRow(row.number, row.given, outcome, None, None, None, reason, *nothing)
+
+
+def _said(name: str) -> str:
+    """What is not certain, in words."""
+    return f"the sign of {name}" if name.startswith(("alpha", "beta -")) else name
+
+
+def _searched(question: _Question, values: tuple[fmpq, ...]) -> OnTube | None:
+    """A proved tube over the one point: from the row's own place, then from the mechanism's own G-spot."""
+    conditions, place = _programs(question.mechanism, question.parameters, question.fixed)
+    starts = [[arb(value) for value in question.own]]
+    if place is not None:
+        named = place.values([*(arb(0) for _ in question.own), *map(arb, values)])
+        if all(value.is_finite() for value in named):
+            starts.insert(0, named)
+    for start in starts:
+        origin = newton_origin(conditions, values, [value.mid() for value in start], float("inf"), _STEPS)
+        on = None if origin is None else proved_tube(question.equations(), values, values, origin)
+        if on is not None:
+            return on
+    return None
+
+
+@lru_cache(maxsize=4)
+def _programs(
+    mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[str, ...]
+) -> tuple[BoxProgram, BoxProgram | None]:
+    """The conditions, and the place that the mechanism names (None: no whole one), as functions of the parameters."""
+    m, k = len(mechanism.state), len(parameters)
+    conditions = BoxProgram(parametric_system(mechanism, parameters, fixed).conditions, m + k)
+    shifted = shift(mechanism.with_parameters(**dict.fromkeys(parameters)), free=True)
+    place = symbolic_place(shifted)
+    if set(place) != set(mechanism.state):
+        return conditions, None
+    own_variables = {name: Variable(m + j) for j, name in enumerate(parameters)}
+    with working_bits(BITS):
+        functions = shifted.expressions([place[word] for word in mechanism.state], BALLS, own_variables)
+    return conditions, BoxProgram(functions, m + k, ())
+
+
+def _point(mechanism: Mechanism, on: OnTube, values: tuple[fmpq, ...]) -> list[arb]:
+    """The state in balls; an angle that is counted from a reference with that."""
+    point = on.tube.zero_at(values)
+    for angle in mechanism.angles:
+        k = mechanism.state.index(angle.coordinate)
+        point[k] = point[k] + angle_ball(angle)
+    return point
+
+
+def _exact(value: arb) -> fmpq:
+    mantissa, exponent = value.mid().man_exp()
+    return fmpq(mantissa) * fmpq(2) ** int(exponent)

@@ -1,0 +1,87 @@
+"""``classify --table``: a CSV file of answers, whole or not at all."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+from killed import killed_after
+
+from gspot_verified import classify_table, load
+from gspot_verified.cli import main
+
+WORDS = ["classify", "genot_brogliato_rod", "--table"]
+
+
+def table(tmp_path: Path, text: str = "mu,L\n3/2,1\n2,1/3\n-1,1\n") -> Path:
+    path = tmp_path / "table.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_line_for_each_row(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    given, output = table(tmp_path), tmp_path / "answers.csv"
+    assert main([*WORDS, str(given), "--output", str(output)]) == 2
+    assert capsys.readouterr().out.splitlines() == [
+        "falling rod of Génot and Brogliato: 3 rows",
+        "  one row: refused",
+        "  one row: settled, Case II",
+        "  one row: settled, no Case",
+    ]
+    rows = list(classify_table(load("genot_brogliato_rod"), given))
+    assert output.read_text(encoding="utf-8") == rows[0].csv_head() + "".join(row.to_csv() for row in rows)
+    assert [row["outcome"] for row in csv.DictReader(output.open(encoding="utf-8"))] == ["settled"] * 2 + ["refused"]
+    assert not [*tmp_path.glob("*.part")]
+
+
+def test_all_settled_with_settings(tmp_path: Path) -> None:
+    given, output = table(tmp_path, "L\n1\n2\n"), tmp_path / "answers.csv"
+    assert main([*WORDS, str(given), "--output", str(output), "--set", "mu=8/5"]) == 0
+
+
+def test_a_killed_run_goes_on(tmp_path: Path) -> None:
+    given = table(tmp_path, "mu\n" + "".join(f"{k}/100\n" for k in range(140, 240)))
+    output, journal = tmp_path / "answers.csv", tmp_path / "journal"
+    words = [*WORDS, str(given), "--output", str(output), "--journal", str(journal)]
+    output.write_text("what was there before", encoding="utf-8")
+    killed_after(1, f"from gspot_verified.cli import main; main({words!r})", journal)
+    assert output.read_text(encoding="utf-8") == "what was there before"
+    assert main(words) == 0
+    assert len(output.read_text(encoding="utf-8").splitlines()) == 101
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ([], "--table needs --output"),
+        (["--output", "missing/answers.csv"], "--output: there is no folder missing"),
+        (["--output", "table.csv"], "--output and --table name the same file"),
+        (["--output", "answers.csv", "--all"], "--all: not with --table"),
+        (["--output", "answers.csv", "--json"], "--json: not with --table"),
+        (["--output", "answers.csv", "--workers", "0"], "workers must be an int"),
+    ],
+)
+def test_bad_input(
+    words: list[str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    before = table(tmp_path).read_bytes()
+    assert main([*WORDS, "table.csv", *words]) == 64
+    assert message in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["table.csv"]
+    assert (tmp_path / "table.csv").read_bytes() == before
+
+
+@pytest.mark.parametrize("words", [["--output", "x.csv"], ["--workers", "2"], ["--journal", "x"]])
+def test_what_belongs_to_a_table_is_not_left_aside(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*WORDS[:2], *words]) == 64
+    assert f"{words[0]}: only with --table" in capsys.readouterr().err
+
+
+def test_a_wrong_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    given, output = table(tmp_path, "nu\n1\n"), tmp_path / "answers.csv"
+    assert main([*WORDS, str(given), "--output", str(output)]) == 64
+    assert "column 1: falling rod of Génot and Brogliato has no parameter 'nu'" in capsys.readouterr().err
+    assert not output.exists()
+    assert main([*WORDS, str(tmp_path / "missing.csv"), "--output", str(output)]) == 64
