@@ -19,7 +19,7 @@ from gspot_verified.cost.contents import blueprints
 from gspot_verified.cost.measurement.contest import FULL, QUICK
 from gspot_verified.cost.measurement.file import SCHEMA
 from gspot_verified.cost.measurement.kept_parts import KeptParts
-from gspot_verified.cost.measurement.measurement import Measurement, Part
+from gspot_verified.cost.measurement.measurement import FILES, Measurement, Part, files_key
 from gspot_verified.cost.parts.cheap_answers import answers
 from gspot_verified.cost.times.measure import machine_load
 from gspot_verified.numbers.counted import done_of
@@ -92,7 +92,7 @@ def _processor() -> str:
 
 def versions() -> dict[str, str]:
     """What was measured, by name; a program that is not there is not named."""
-    by_name = {"Python": platform.python_version(), "FLINT": flint.__FLINT_VERSION__}
+    by_name = {"Python": platform.python_version(), "FLINT": flint.__FLINT_VERSION__, FILES: files_key()}
     for name in _PACKAGES:
         try:
             by_name[name] = importlib.metadata.version(name)

@@ -11,7 +11,7 @@ from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.cost.contents import blueprints
 from gspot_verified.cost.measurement import contest
 from gspot_verified.cost.measurement.contest import QUICK, TimedRoute
-from gspot_verified.cost.measurement.measurement import Part, Route
+from gspot_verified.cost.measurement.measurement import FILES, Part, Route
 from gspot_verified.cost.parts import slow_solution_digits
 from gspot_verified.cost.parts.ode import ode_value, ode_zeros, right_decimals
 from gspot_verified.cost.run import machine, versions
@@ -19,6 +19,7 @@ from gspot_verified.cost.times.baseline import right_digits
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.theta_function.theta import theta
+from gspot_verified.work.journal_file import source_key
 
 EFFORT = replace(QUICK, seconds=0.0, patience=60.0)
 SLOW = ("scenes", "formal", "checker")
@@ -82,3 +83,4 @@ def test_what_it_was_measured_on_is_named() -> None:
     found = versions()
     assert found["FLINT"].count(".") == 2
     assert {"Python", "python-flint", "scipy", "gspot-verified"} <= set(found)
+    assert found[FILES] == source_key()[:16]

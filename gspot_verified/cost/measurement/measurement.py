@@ -6,9 +6,12 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gspot_verified.numbers.written import PAIRS, Written
+from gspot_verified.work.journal_file import source_key
 
 CERTIFIED, NO_BOUND = "certified", "no bound"
 KINDS = (CERTIFIED, NO_BOUND)
+FILES = "files of gspot-verified"
+"""Among the versions: by this hash the files that were measured are known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,3 +122,17 @@ class Measurement(Written):
     load: str
     full: bool
     seconds: float
+
+    @property
+    def of_other_files(self) -> bool:
+        """Whether other files of the package were measured than those that are there now, or it is not known which."""
+        return dict(self.versions).get(FILES) != files_key()
+
+
+def files_key() -> str:
+    """The hash of the package's files, and of FLINT's version, in short.
+
+    >>> len(files_key())
+    16
+    """
+    return source_key()[:16]

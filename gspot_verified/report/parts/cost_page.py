@@ -206,6 +206,7 @@ def shown_measurement(measurement: Measurement) -> dict[str, Any]:
         "size": "full" if measurement.full else "quick",
         "minutes": f"{measurement.seconds / 60:.0f}",
         "versions": measurement.versions,
+        "of_other_files": measurement.of_other_files,
         "prices": [row for part in measurement.parts for row in _prices(part)],
         "parts": [_part(part, f"cost-{part.key}" in figures) for part in measurement.parts],
         "answers": [_answer(answer) for answer in measurement.answers],

@@ -15,7 +15,16 @@ import pytest
 import gspot_verified
 from gspot_verified.cli import main
 from gspot_verified.cost.measurement.file import recorded, save
-from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Measurement, Part, Point, Route
+from gspot_verified.cost.measurement.measurement import (
+    CERTIFIED,
+    FILES,
+    NO_BOUND,
+    Measurement,
+    Part,
+    Point,
+    Route,
+    files_key,
+)
 from gspot_verified.report.data import report_data
 from gspot_verified.report.parts.cost_page import (
     GONE,
@@ -51,6 +60,23 @@ def test_the_page_says_that_it_was_recorded(page: str) -> None:
     assert "gspot-verified report --cost cost.json" in page
     for name, version in found.versions:
         assert f"<dt>{name}</dt><dd>{version}</dd>" in page
+
+
+OTHER_FILES = "These times are of other files of this package than those of this version"
+
+
+@pytest.mark.parametrize("files", [files_key(), "0" * 16, None])
+def test_a_record_of_other_files_is_said_to_be_one(files: str | None) -> None:
+    """The record that comes with the package, as if it were of today's files, of others, and of files not named."""
+    rest = tuple(pair for pair in recorded().versions if pair[0] != FILES)
+    measured = replace(recorded(), versions=(*rest, *([] if files is None else [(FILES, files)])))
+    assert measured.of_other_files is (files != files_key())
+    page = pages(report_data([], [], []), measurement=measured)["cost.html"]
+    assert (OTHER_FILES in page) is measured.of_other_files
+
+
+def test_the_page_compares_the_record_that_comes_with_the_package(page: str) -> None:
+    assert (OTHER_FILES in page) is (dict(recorded().versions).get(FILES) != files_key())
 
 
 def test_every_part_has_a_figure_a_table_and_its_limit(page: str) -> None:
