@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import re
+import textwrap
 import threading
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Annotated, Any
@@ -113,6 +114,17 @@ def schema_name(command: str) -> str:
 def print_json(data: dict[str, Any], command: str | None = None) -> None:
     """Data on stdout, with the name of the schema that it satisfies: the running command's own."""
     _echo_json({**data, "schema": schema_name(command or _running.get())})
+
+
+def print_json_with_rows(data: dict[str, Any], key: str, rows: Iterable[Any]) -> None:
+    """The same with a list at the end, each of whose entries is made when it is printed."""
+    whole = {**data, "schema": schema_name(_running.get())}
+    typer.echo(json.dumps(whole, ensure_ascii=False, indent=2, sort_keys=True).removesuffix("\n}"), nl=False)
+    typer.echo(f',\n  "{key}": [', nl=False)
+    for number, row in enumerate(rows):
+        text = json.dumps(row, ensure_ascii=False, indent=2, sort_keys=True)
+        typer.echo(f"{',' if number else ''}\n{textwrap.indent(text, '    ')}", nl=False)
+    typer.echo("\n  ]\n}")
 
 
 def _echo_json(data: dict[str, Any]) -> None:

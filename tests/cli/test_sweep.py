@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from killed import killed_after
 
+from gspot_verified import load, sweep
 from gspot_verified.cli import main
 
 
@@ -28,6 +29,17 @@ def test_a_line(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert (rows[0]["mu_lower_exact"], rows[-1]["mu_upper_exact"]) == ("13/10", "8/5")
     assert {row["kind"] for row in rows} == {"settled", "crossing", "fold", "beyond a fold"}
     assert picture.read_bytes().startswith(b"<?xml")
+
+
+def test_the_summary_comes_before_the_pieces(capsys: pytest.CaptureFixture[str]) -> None:
+    """What is printed piece by piece is the plain data of the result, and its list comes last."""
+    assert main(["sweep", "oscillator", "--over", "beta=9/4..11/4:3", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    result = sweep(load("oscillator"), {"beta": "9/4..11/4:3"})
+    assert data == {**result.to_json(), "schema": data["schema"]}
+    assert len(data["pieces"]) >= 3
+    assert [*data][-1] == "pieces"
+    assert "".join(result.csv_lines()) == result.to_csv()
 
 
 def test_a_map_with_settings_and_start(capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, counted, print_json
+from gspot_verified.cli.app import JsonFlag, app, counted, print_json_with_rows
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName
 from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
@@ -76,13 +77,18 @@ def sweep(
             progress=_show,
         )
     if csv is not None:
-        outputs.write("--csv", csv, lambda: _replace(csv, result.to_csv()))
+        outputs.write("--csv", csv, lambda: _replace(csv, result.csv_lines()))
     if picture is not None:
         from gspot_verified.report.pictures.sweep_picture import save_sweep
 
         outputs.write("--picture", picture, lambda: save_sweep(result, picture))
     if as_json:
-        print_json(result.to_json())
+        from gspot_verified.mechanisms.sweep.sweep_piece import PieceRow, piece_row
+        from gspot_verified.mechanisms.sweep.sweep_result import SweepSummary
+        from gspot_verified.numbers.written import form
+
+        rows = (form(PieceRow).write(piece_row(piece)) for piece in result.pieces)
+        print_json_with_rows(SweepSummary(result).to_json(), "pieces", rows)
     else:
         typer.echo(str(result))
     outputs.leave(result.verdict.exit_code)
@@ -100,10 +106,11 @@ def _assignments(option: str, texts: list[str]) -> dict[str, str]:
     return values
 
 
-def _replace(path: Path, text: str) -> None:
+def _replace(path: Path, lines: Iterable[str]) -> None:
     """Write a file whole or not at all."""
     unfinished = path.with_name(path.name + ".part")
-    unfinished.write_text(text, encoding="utf-8")
+    with unfinished.open("w", encoding="utf-8") as file:
+        file.writelines(lines)
     unfinished.replace(path)
 
 

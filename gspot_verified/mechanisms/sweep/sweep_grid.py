@@ -147,44 +147,75 @@ def cells(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence
     return GridCells(grid, 0, near)
 
 
+@dataclass(frozen=True, slots=True)
+class _Near:
+    """A spot that is nearly known, in doubles: the place, centre and slopes."""
+
+    place: tuple[float, ...]
+    centre: list[float]
+    slopes: list[list[float]]
+
+    def predicted(self, place: Sequence[float]) -> list[float]:
+        """The centre at another place, by the slopes."""
+        moves = [value - own for value, own in zip(place, self.place, strict=True)]
+        return [start + sum(slope * move for slope, move in zip(row, moves, strict=True))
+                for start, row in zip(self.centre, self.slopes, strict=True)]  # fmt: skip
+
+    def packed(self) -> bytes:
+        """Centre and slopes; nothing where one is too large for a double."""
+        values = [*self.centre, *(slope for row in self.slopes for slope in row)]
+        return array("d", values).tobytes() if all(map(math.isfinite, values)) else b""
+
+
 def _followed(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> list[Near]:
     found: list[Near] = [None] * len(grid)
-    start = newton_origin(program, tuple(place), [value.mid() for value in spot], float("inf"))
+    start = newton_origin(program, tuple(place), [value.mid() for value in spot], math.inf)
     first = grid.cell_of(place)
     if start is None:
         return found
-    waiting: deque[tuple[Index, Origin]] = deque([(first, start)])
+    rows = [[approximate(slope) for slope in row] for row in start.slopes]
+    own = _Near(tuple(map(approximate, place)), [*map(approximate, start.centre)], rows)
+    waiting: deque[tuple[Index, _Near]] = deque([(first, own)])
     while waiting:
         index, near = waiting.popleft()
         number = grid.number(index)
         if found[number] is not None:
             continue
-        middle = grid.middle(index)
+        at = [arb(value).mid() for value in grid.middle(index)]
+        middle = tuple(map(float, at))
         predicted = near.predicted(middle)
-        jump = max(abs(approximate(new) - approximate(old)) for new, old in zip(predicted, near.centre, strict=True))
-        origin = newton_origin(program, middle, predicted, jump / 2 + _SMALL)
-        values = b"" if origin is None else _doubles(origin)
-        if origin is not None and values:
+        jump = max(abs(new - old) for new, old in zip(predicted, near.centre, strict=True))
+        solved = _newton(program, at, [arb(value) for value in predicted], jump / 2 + _SMALL, _STEPS)
+        if solved is None:
+            continue
+        point, slopes = solved
+        here = _Near(middle, [*map(float, point)], [[*map(float, row)] for row in slopes])
+        if values := here.packed():
             found[number] = number, values
             beside = (other for other in grid.neighbours(index) if found[grid.number(other)] is None)
-            waiting.extend((other, origin) for other in beside)
+            waiting.extend((other, here) for other in beside)
     if not any(found):
         found[grid.number(first)] = start
     return found
-
-
-def _doubles(origin: Origin) -> bytes:
-    values = array("d", map(approximate, (*origin.centre, *(slope for row in origin.slopes for slope in row))))
-    return values.tobytes() if all(map(math.isfinite, values)) else b""
 
 
 def newton_origin(
     program: BoxProgram, place: tuple[fmpq, ...], centre: Sequence[arb], reach: float, limit: int = _STEPS
 ) -> Origin | None:
     """Newton's method at one parameter value, with so many steps; None where it leads far away or nowhere."""
+    solved = _newton(program, [arb(value).mid() for value in place], centre, reach, limit)
+    if solved is None:
+        return None
+    point, slopes = solved
+    return Origin(place, tuple(map(_exact, point)), tuple(tuple(map(_exact, row)) for row in slopes))
+
+
+def _newton(
+    program: BoxProgram, at: Sequence[arb], centre: Sequence[arb], reach: float, limit: int
+) -> tuple[list[arb], list[list[arb]]] | None:
+    """The point that is found, and the slopes there."""
     n = len(centre)
     point, moved = list(centre), 0.0
-    at = [arb(value).mid() for value in place]
     for _ in range(limit):
         values, rows = program.gradients([*point, *at])
         matrix = arb_mat([[value.mid() for value in row[:n]] for row in rows])
@@ -199,13 +230,12 @@ def newton_origin(
         if not all(step.is_finite() for step in steps):
             return None
         point = [(value - step).mid() for value, step in zip(point, steps, strict=True)]
-        size = max(abs(approximate(step)) for step in steps)
+        size = max(map(abs, map(float, steps)))
         moved += size
         if moved > reach:
             return None
-        if size <= _SMALL * (1 + max(abs(approximate(value)) for value in point)):
-            slopes = tuple(tuple(_exact(-solved[i, j + 1]) for j in range(len(place))) for i in range(n))
-            return Origin(place, tuple(_exact(value) for value in point), slopes)
+        if size <= _SMALL * (1 + max(map(abs, map(float, point)))):
+            return point, [[(-solved[i, j + 1]).mid() for j in range(len(at))] for i in range(n)]
     return None
 
 

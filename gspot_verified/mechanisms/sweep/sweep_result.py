@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -16,12 +16,13 @@ from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
-from gspot_verified.numbers.written import Written
+from gspot_verified.numbers.written import Written, under
 from gspot_verified.signs.gamma.side import side_text
 
 _SLIP = "slip_velocity"
 _SHORT, _DECIMALS = 12, 16  # a rational of so many characters is shown as it is, a longer one with so many decimals
 _SHORT_PIECE = fmpq(1, 10**6)  # of the range: a shorter piece next to a fold counts as its bracket
+_SUMMARY = "name parameters=axes start=start_values spot verdict crossings notes warnings folds"
 _UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
 
 
@@ -69,9 +70,7 @@ class Sweep(NoTruthValue, Written):
     """
 
     ask: ClassVar[str] = ".verdict.outcome says whether Case and side are settled on the whole range"
-    written: ClassVar[str] = (
-        "name parameters=axes start=start_values spot verdict crossings notes warnings folds pieces=piece_rows"
-    )
+    written: ClassVar[str] = f"{_SUMMARY} pieces=piece_rows"
 
     name: str
     axes: tuple[Axis, ...]
@@ -244,11 +243,26 @@ class Sweep(NoTruthValue, Written):
 
     def to_csv(self) -> str:
         """One line for each piece: its ends exactly and as decimals, bounds of the numbers rounded outward."""
+        return "".join(self.csv_lines())
+
+    def csv_lines(self) -> Iterator[str]:
+        """The lines of :meth:`to_csv` with their line feeds, one after the other."""
         names = [axis.name for axis in self.axes]
         head = [f"{name}_{end}{form}" for name in names for end in ("lower", "upper") for form in ("", "_exact")]
         head += ["kind", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "unsure"]
         head += [f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")]
-        return "\n".join([",".join(head), *(_csv_line(piece) for piece in self.pieces)]) + "\n"
+        yield ",".join(head) + "\n"
+        yield from (_csv_line(piece) + "\n" for piece in self.pieces)
+
+
+@dataclass(frozen=True, slots=True)
+class SweepSummary(NoTruthValue, Written):
+    """What a sweep says of its range as a whole: its plain data without the pieces."""
+
+    ask: ClassVar[str] = ".sweep.verdict.outcome says whether Case and side are settled on the whole range"
+    written: ClassVar[str] = under("sweep", _SUMMARY)
+
+    sweep: Sweep
 
 
 def _left(left: int, total: int) -> str:

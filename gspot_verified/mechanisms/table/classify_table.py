@@ -12,49 +12,49 @@ import json
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import partial
 from itertools import chain, islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from gspot_verified.functions.box_program import BoxProgram
-from gspot_verified.functions.expressions import Variable
-from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
-from gspot_verified.mechanisms.derive.to_system import angle_ball, shift
+from gspot_verified.mechanisms.derive.to_system import angle_ball
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, require_mechanism
-from gspot_verified.mechanisms.spots.g_spot import symbolic_place
-from gspot_verified.mechanisms.spots.parametric_system import parametric_system
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep.sweep_findings import findings
 from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
-from gspot_verified.mechanisms.sweep.sweep_grid import newton_origin
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, interval
-from gspot_verified.mechanisms.sweep.sweep_start import proved_tube
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
 from gspot_verified.mechanisms.sweep.sweep_work import compiled, read_line, recalled, whole_text
 from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
 from gspot_verified.mechanisms.table.parameter_rows import ParameterRow, Row, parameter_rows
+from gspot_verified.mechanisms.table.row_search import Start, middle_of, searched
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube
-from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.numbers.balls import working_bits
 from gspot_verified.work.executors import InProcessExecutor, in_order
 from gspot_verified.work.journal_file import JournalFile
 
 _PORTION = 64  # rows of one task, and of one line of the journal
-_STEPS = 40  # of Newton's method: a limit of effort
 _NOT_FOUND = "no G-spot was found from the place that the mechanism names"
 
 
 @dataclass(frozen=True, slots=True)
 class _Question:
-    """The mechanism, its columns, the components that keep their values, and the mechanism's own G-spot."""
+    """What is asked of each row: the mechanism, its columns, and from where a G-spot is sought."""
 
-    mechanism: Mechanism
-    parameters: tuple[str, ...]
-    fixed: tuple[str, ...]
-    own: tuple[fmpq, ...]
+    start: Start
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism, with its own values."""
+        return self.start.mechanism
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """The columns."""
+        return self.start.parameters
 
     def header(self) -> dict[str, Any]:
         """What a journal's first line says."""
@@ -62,12 +62,12 @@ class _Question:
             "kind": "table 1",
             "mechanism": hashlib.sha256(whole_text(self.mechanism).encode()).hexdigest(),
             "parameters": list(self.parameters),
-            "fixed": list(self.fixed),
+            "fixed": list(self.start.fixed),
         }
 
     def equations(self) -> Equations:
         """The conditions and quantities, compiled once in each process."""
-        return compiled(self.mechanism, self.parameters, self.fixed)
+        return compiled(self.mechanism, self.parameters, self.start.fixed)
 
 
 class _Answer(NamedTuple):
@@ -109,8 +109,8 @@ def classify_table(
     table_rows = parameter_rows(mechanism, table)
     first = first_spot(mechanism, None)
     with working_bits(BITS):
-        own = tuple(_exact(ball(value)) for value in first.system.point)
-    question = _Question(with_place_of(mechanism, first), table_rows.parameters, first.fixed, own)
+        start = Start(with_place_of(mechanism, first), table_rows.parameters, first.fixed, middle_of(first))
+    question = _Question(start)
     kept = None if journal is None else JournalFile(journal, question.header())
     return _classified(question, table_rows.rows, executor or InProcessExecutor(), kept, progress)
 
@@ -170,7 +170,8 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
     except MechanismError as error:
         return _unknown(mechanism, row, "refused", str(error))
     with working_bits(BITS):
-        on = trace.tube(question.equations(), values, values, partial(_searched, question, values))
+        equations = question.equations()
+        on = trace.tube(equations, values, values, partial(searched, equations, question.start, values))
         if on is None:
             return _unknown(mechanism, row, "undecided", _NOT_FOUND)
         facts = findings(on, {})
@@ -197,39 +198,6 @@ def _said(name: str) -> str:
     return f"the sign of {name}" if name.startswith(("alpha", "beta -")) else name
 
 
-def _searched(question: _Question, values: tuple[fmpq, ...]) -> OnTube | None:
-    """A proved tube over the one point: from the row's own place, then from the mechanism's own G-spot."""
-    conditions, place = _programs(question.mechanism, question.parameters, question.fixed)
-    starts = [[arb(value) for value in question.own]]
-    if place is not None:
-        named = place.values([*(arb(0) for _ in question.own), *map(arb, values)])
-        if all(value.is_finite() for value in named):
-            starts.insert(0, named)
-    for start in starts:
-        origin = newton_origin(conditions, values, [value.mid() for value in start], float("inf"), _STEPS)
-        on = None if origin is None else proved_tube(question.equations(), values, values, origin)
-        if on is not None:
-            return on
-    return None
-
-
-@lru_cache(maxsize=4)
-def _programs(
-    mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[str, ...]
-) -> tuple[BoxProgram, BoxProgram | None]:
-    """The conditions, and the place that the mechanism names (None: no whole one), as functions of the parameters."""
-    m, k = len(mechanism.state), len(parameters)
-    conditions = BoxProgram(parametric_system(mechanism, parameters, fixed).conditions, m + k)
-    shifted = shift(mechanism.with_parameters(**dict.fromkeys(parameters)), free=True)
-    place = symbolic_place(shifted)
-    if set(place) != set(mechanism.state):
-        return conditions, None
-    own_variables = {name: Variable(m + j) for j, name in enumerate(parameters)}
-    with working_bits(BITS):
-        functions = shifted.expressions([place[word] for word in mechanism.state], BALLS, own_variables)
-    return conditions, BoxProgram(functions, m + k, ())
-
-
 def _point(mechanism: Mechanism, on: OnTube, values: tuple[fmpq, ...]) -> list[arb]:
     """The state in balls; an angle that is counted from a reference with that."""
     point = on.tube.zero_at(values)
@@ -237,8 +205,3 @@ def _point(mechanism: Mechanism, on: OnTube, values: tuple[fmpq, ...]) -> list[a
         k = mechanism.state.index(angle.coordinate)
         point[k] = point[k] + angle_ball(angle)
     return point
-
-
-def _exact(value: arb) -> fmpq:
-    mantissa, exponent = value.mid().man_exp()
-    return fmpq(mantissa) * fmpq(2) ** int(exponent)

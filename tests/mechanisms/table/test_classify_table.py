@@ -117,7 +117,7 @@ def test_the_same_for_every_executor_and_after_a_kill(tmp_path: Path, monkeypatc
 def test_known_tubes_save_the_search(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "journal"
     expected = list(classify_table(ROD, rods(2), journal=path))
-    monkeypatch.setattr(module, "_searched", lambda *_: pytest.fail("the tube was known"))
+    monkeypatch.setattr(module, "searched", lambda *_: pytest.fail("the tube was known"))
     assert list(classify_table(ROD, rods(2), journal=path)) == expected
 
 
