@@ -11,10 +11,10 @@ import typer
 
 from gspot_verified.cli.app import JsonFlag, app, counted, print_json, refuse, warn
 from gspot_verified.cli.command_groups import example
-from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 from gspot_verified.cli.table_output import write_classified_table
+from gspot_verified.cli.work_options import JournalFile, Scheduler, Workers
 from gspot_verified.numbers.counted import done_of
 
 if TYPE_CHECKING:

@@ -12,14 +12,10 @@ from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.finite_epsilon import DEFAULT_BETA, zeros_at_finite_epsilon, zeros_over_a_rectangle
 from gspot_verified.cli.output import PICTURES, Outputs
 from gspot_verified.cli.ranges_progress import RangesProgress
+from gspot_verified.cli.work_options import JournalFile, Scheduler, Workers
 
 DIGITS, BUDGET = 15, 5_000  # of zeros, where they are left out
 
-Workers = Annotated[
-    int, typer.Option(help="Processes that share the work; the certificate is the same for any number.")
-]
-Scheduler = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, in place of processes here.")]
-JournalFile = Annotated[Path | None, typer.Option("--journal", help="Keep finished work here; go on from it.")]
 CertificateFile = Annotated[Path | None, typer.Option("--certificate", help="Write a certificate that `check` reads.")]
 TauRange = Annotated[str, typer.Option(help='Range of τ: "-inf..inf", "[-2..3)", "1/2". Open unless [ or ].')]
 BetaRange = Annotated[str, typer.Option(help='Range of β, same form: "0..1" is the open interval.')]

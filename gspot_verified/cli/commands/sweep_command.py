@@ -11,8 +11,8 @@ import typer
 from gspot_verified.cli.app import JsonFlag, app, counted, print_json_with_rows
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName
-from gspot_verified.cli.commands.sign_commands import JournalFile, Scheduler, Workers
 from gspot_verified.cli.output import PICTURES, Outputs
+from gspot_verified.cli.work_options import JournalFile, Scheduler, Workers
 from gspot_verified.numbers.counted import done_of
 
 _SAID = 32  # cells and pieces between two plain lines of progress

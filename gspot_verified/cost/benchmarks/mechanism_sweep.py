@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import time
 from collections.abc import Callable
 
@@ -9,6 +10,7 @@ from gspot_verified.cost.benchmarks.force import forget
 from gspot_verified.cost.times.rows import Row, Target
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.table.classify_table import classify_table
 
 CASES = (
     ("oscillator", {"beta": "1/2..9/2:50", "kappa": "-1..1:20"}, 1_000),
@@ -17,6 +19,32 @@ CASES = (
 )
 LONG_CASES = (("oscillator", {"beta": "1/2..9/2:200", "kappa": "-1..1:50"}, 10_000),)
 _SECONDS_PER_CELL = 30 / 10_000  # the target: half a minute for the largest case
+
+
+TABLE_ROWS = 1_000  # of the table that is measured
+_SECONDS_PER_ROW = 0.01  # the target
+
+
+def table_row() -> Row:
+    """A table of rods of random mass, length, gravity and friction, classified: processor time in one process."""
+    dice = random.Random(1)
+    words = ("m", "L", "g")
+    table = [
+        {"mu": f"{dice.randrange(1400, 3000)}/1000", **{word: f"{dice.randrange(300, 2000)}/1000" for word in words}}
+        for _ in range(TABLE_ROWS)
+    ]
+    forget()
+    start = time.process_time()
+    rows = list(classify_table(shipped_mechanism("genot_brogliato_rod"), table))
+    figure = time.process_time() - start
+    return Row(
+        "table",
+        f"{TABLE_ROWS} rods, mu, m, L, g = random",
+        Target("processor time", TABLE_ROWS * _SECONDS_PER_ROW, "s"),
+        figure,
+        cold=figure,
+        note=f"{sum(row.outcome == 'settled' for row in rows)} settled",
+    )
 
 
 def sweep_rows(full: bool = False, progress: Callable[[str], None] = lambda _: None) -> list[Row]:
@@ -39,4 +67,5 @@ def sweep_rows(full: bool = False, progress: Callable[[str], None] = lambda _: N
                 note=f"{len(result.pieces)} pieces, {result.verdict.outcome.value}",
             )
         )
-    return rows
+    progress(f"a table of {TABLE_ROWS} rods")
+    return [*rows, table_row()]

@@ -95,8 +95,8 @@ class Answer(NamedTuple):
     pieces: Pieces
     groups: list[int]
     """For each piece, one after the other, a number: those with the same one hold the same spot, continued."""
-    digest: str
-    choices: str
+    digest: str = ""
+    choices: str = ""
     """The tubes, as JSON."""
 
     def by_cell(self) -> Iterator[tuple[list[SweepPiece], list[int]]]:
@@ -108,9 +108,9 @@ class Answer(NamedTuple):
             start += len(pieces)
 
 
-def examine(question: Question, cells: Sequence[Cell], known: Choices | None = None) -> Answer:
+def examine(question: Question, cells: Sequence[Cell], known: Choices | None = None, kept: bool = True) -> Answer:
     """The pieces of some cells, and their tubes as choices, of which ``known`` ones are tried first; it pickles, and so
-    do its arguments and its answer."""
+    do its arguments and its answer. ``kept``: with what a journal keeps."""
     examination = Examination(question.equations(), question.digits)
     pieces, choices = [], []
     for cell, tubes in zip_longest(cells, (known or [])[: len(cells)], fillvalue=None):
@@ -119,7 +119,7 @@ def examine(question: Question, cells: Sequence[Cell], known: Choices | None = N
         choices.append(examination.kept_tubes.met)
     with working_bits(BITS):
         groups = groups_in_a_row(question.equations(), pieces)
-    return Answer(pieces, groups, digest(pieces), json.dumps(choices))
+    return Answer(pieces, groups, digest(pieces), json.dumps(choices)) if kept else Answer(pieces, groups)
 
 
 def proved_again(question: Question, cells: Sequence[Cell], line: str) -> Answer:
@@ -150,7 +150,7 @@ def results(
     def task(number: int, cells: Sequence[Cell]) -> Callable[[], Answer]:
         if journal is not None and number in known:
             return partial(proved_again, question, cells, journal.lines[known[number][0]])
-        return partial(examine, question, cells)
+        return partial(examine, question, cells, None, journal is not None)
 
     tasks = (task(number, cells) for number, cells in enumerate(work, first))
     for number, answer in enumerate(in_order(executor, tasks), first):

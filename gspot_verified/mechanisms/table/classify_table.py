@@ -189,8 +189,17 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
 
 
 def _unknown(mechanism: Mechanism, row: ParameterRow, outcome: str, reason: str) -> ClassifiedRow:
-    nothing = tuple((name, None) for name in NUMBERS), tuple((word, None) for word in mechanism.state)
-    return ClassifiedRow(row.number, row.given, outcome, None, None, None, reason, *nothing)
+    return ClassifiedRow(
+        number=row.number,
+        given=row.given,
+        outcome=outcome,
+        case=None,
+        lift_off_sign=None,
+        impact_sign=None,
+        reason=reason,
+        numbers=tuple((name, None) for name in NUMBERS),
+        point=tuple((word, None) for word in mechanism.state),
+    )
 
 
 def _said(name: str) -> str:

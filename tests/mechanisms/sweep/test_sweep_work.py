@@ -46,6 +46,7 @@ def test_portions_hold_every_cell_in_order() -> None:
 def test_cells_without_a_place_have_no_tube() -> None:
     pieces = [[SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)] for cell in CELLS[:2]]
     assert examine(QUESTION, CELLS[:2]) == Answer(pieces, [0, 1], digest(pieces), "[[], []]")
+    assert examine(QUESTION, CELLS[:2], kept=False) == Answer(pieces, [0, 1])
 
 
 def test_the_journal_s_first_line_tells_mechanisms_apart() -> None:
@@ -64,7 +65,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How many cells each portion had that was examined."""
     calls: list[int] = []
 
-    def own(question: Question, cells: list[Cell], known: Any = None) -> Answer:
+    def own(question: Question, cells: list[Cell], known: Any = None, _kept: bool = True) -> Answer:
         assert question is QUESTION
         if known is None:
             calls.append(len(cells))
