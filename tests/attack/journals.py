@@ -33,7 +33,7 @@ from gspot_verified.mechanisms.sweep import sweep_work
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
-from gspot_verified.mechanisms.sweep.sweep_work import examine
+from gspot_verified.mechanisms.sweep.sweep_work import examine, read_line
 from gspot_verified.scenes.certified_run import certified_run
 from gspot_verified.scenes.scene.file import parse_scene
 from gspot_verified.scenes.scene.scene import SceneError
@@ -243,7 +243,8 @@ def _judged_tubes(text: str, over: str, random: Random) -> Answer:
         place.write_text(f"{head}\n{json.dumps([number, expected, cells])}\n")
         with pytest.MonkeyPatch.context() as patch:
             # As if the digest were that of the pieces which come out along the forged tubes.
-            patch.setattr(sweep_work, "proved_again", lambda question, work, known, _: examine(question, work, known))
+            along = lambda question, work, text: examine(question, work, read_line(text)[2])  # noqa: E731
+            patch.setattr(sweep_work, "proved_again", along)
             try:
                 found = sweep(mechanism, {"par": over}, spot=1, journal=place)
             except ValueError:
