@@ -122,7 +122,7 @@ def _split(polynomial: arb_poly, pieces: int, bits: int) -> list[arb_poly]:
 def _needed(polynomial: arb_poly, pieces: int, bits: int) -> int:
     """How many coefficients of a part are not below 2^-bits of the largest one, at most: their sizes at s = 1."""
     sizes = np.abs(np.array([approximate(value) for value in polynomial.coeffs()]))
-    parts = (sizes @ _binomials(len(sizes))) / np.float64(pieces) ** np.arange(len(sizes))
+    parts = np.dot(sizes, _binomials(len(sizes))) / np.float64(pieces) ** np.arange(len(sizes))
     return int(np.flatnonzero(parts > parts.max() * 2.0**-bits).max(initial=0)) + 1
 
 
