@@ -77,6 +77,26 @@ class Numbers:
         ends = a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]
         return min(ends) >> self.bits, up(max(ends), self.one)
 
+    def reciprocal(self, a: Interval) -> Interval:
+        """1/a for a > 0."""
+        require(a[0] > 0, "a divisor is not certainly positive")
+        self.meter.spend(2 * digits(self.one << self.bits) * longest(a), 4)
+        return (self.one << self.bits) // a[1], up(self.one << self.bits, a[0])
+
+    def sine_cosine(self, q: Fraction) -> tuple[Interval, Interval]:
+        """Enclosures of sin q and cos q, |q| ≤ 8: Taylor's sums; the first term left out bounds the rest (Lemma 2)."""
+        require(abs(q) <= 8, "an angle is not within 8 of its reference")
+        self.meter.spend(6 * self.bits * digits(self.one) ** 2, 20 * self.bits)
+        x, found = self.interval(q), []
+        for term, k in ((x, 1), ((self.one, self.one), 0)):
+            total = (0, 0)
+            while size(term) > 1:
+                total = add(total, term)
+                term = self.scaled(Fraction(-1, (k + 1) * (k + 2)), self.mul(x, self.mul(x, term)))
+                k += 2
+            found.append(wider(total, size(term)))
+        return found[0], found[1]
+
     def term(self, q: Fraction, factors: Sequence[Interval]) -> Interval:
         """q times all factors."""
         length = sum(digits(size(factor)) for factor in factors) + digits(q.numerator * q.denominator)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from intervals import Box, Interval, Numbers, add
@@ -14,6 +15,7 @@ from limits import require
 from reading import entries, rational
 
 LONGEST = 400  # characters of a number of the scene
+PAIRS, DEGREE, COEFFICIENT = 2_000, 40, 4_000  # of a product: pairs of terms, degree, bits of a coefficient
 MODEL = ("alpha_1", "alpha_2", "beta", "damping", "k_1", "k_2")
 BY_EFFECT: dict[str, tuple[str, ...]] = {
     "compliant_contact": (),
@@ -28,16 +30,28 @@ class Polynomial(dict[tuple[str, ...], Fraction]):
     """A polynomial of named states: {(name, ...): coefficient}."""
 
     def __add__(self, other: Polynomial) -> Polynomial:
-        keys = [*self, *(key for key in other if key not in self)]
-        total = {key: self.get(key, Fraction(0)) + other.get(key, Fraction(0)) for key in keys}
-        return Polynomial({key: value for key, value in total.items() if value})
+        total = Polynomial(self)
+        for key, value in other.items():
+            total.take(key, value)
+        return total
 
     def __mul__(self, other: Polynomial) -> Polynomial:
+        require(len(self) * len(other) <= PAIRS, "a product of two polynomials has too many terms")
         total = Polynomial()
         for left, a in self.items():
             for right, b in other.items():
-                total += Polynomial({tuple(sorted(left + right)): a * b})
+                total.take(tuple(sorted(left + right)), a * b)
         return total
+
+    def take(self, key: tuple[str, ...], value: Fraction) -> None:
+        """Add a term to this one."""
+        total = self.get(key, Fraction(0)) + value
+        bits = max(total.numerator.bit_length(), total.denominator.bit_length())
+        require(len(key) <= DEGREE and bits <= COEFFICIENT, "a polynomial has too high a degree, or too long a number")
+        if total:
+            self[key] = total
+        else:
+            self.pop(key, None)
 
     def __neg__(self) -> Polynomial:
         return Polynomial({key: -value for key, value in self.items()})
@@ -51,7 +65,7 @@ class Polynomial(dict[tuple[str, ...], Fraction]):
         for key, value in self.items():
             if name in key:
                 at = key.index(name)
-                total += Polynomial({key[:at] + key[at + 1 :]: value * key.count(name)})
+                total.take(key[:at] + key[at + 1 :], value * key.count(name))
         return total
 
     def on(self, box: Mapping[str, Interval], numbers: Numbers) -> Interval:
@@ -115,6 +129,28 @@ class Scene:
         exact |= {name: value for name, value in at.items() if name not in "yvz"}
         return {name: numbers.interval(value) for name, value in exact.items()}
 
+    def system(self, phase: str) -> System:
+        """The equations of a phase."""
+        return System(self, phase)
+
+    def begin(self, box: Box, numbers: Numbers) -> tuple[str, str, int]:  # noqa: ARG002
+        """The first phase, the event whose function is 0 where it begins, and which of its derivatives is not."""
+        return "slip", "", 0
+
+    def after(self, event: str, box: Box, numbers: Numbers) -> tuple[str, str, int]:  # noqa: ARG002
+        """The same of the phase after an event, where the states lie in ``box``."""
+        if event == "stick":
+            box["u"] = (0, 0)
+        u = box.get("u", (1, 1))
+        if event == "lift-off":
+            return "flight", "touch-down", 1
+        if event == "stick":
+            return "stick", "", 0
+        if u[0] > 0:
+            return "slip", "lift-off", 1
+        require(self.sticks and (u[1] < 0 or u == (0, 0)), "the direction of slip at touch-down is not certain")
+        return ("stick" if u == (0, 0) else "reverse slip"), "lift-off", 1
+
     def words(self) -> str:
         """The scene in the statement."""
         lists = [", ".join(f"{name} = {value}" for name, value in sorted(of.items())) for of in (self.of, self.start)]
@@ -126,13 +162,26 @@ class Scene:
         return [f"{sign} all along, as leaving an effect out assumes" for sign in signs]
 
 
-class Event:
-    """A function Σ ± states that is positive in a phase, and its derivative along the flow."""
+def along(function: Polynomial, rates: Mapping[str, Polynomial]) -> Polynomial:
+    """The derivative along the flow."""
+    total = Polynomial()
+    for name in sorted({name for key in function for name in key}):
+        total += function.by(name) * rates[name]
+    return total
 
-    def __init__(self, form: Mapping[str, int], rates: Mapping[str, Polynomial]) -> None:
-        self.form, self.rate = form, Polynomial()
-        for name, sign in form.items():
-            self.rate += number(sign) * rates[name]
+
+class Event:
+    """A function that is positive in a phase, and its derivatives along the flow; ``form``: its signs if it is Σ ± states."""
+
+    def __init__(self, function: Polynomial, rates: Mapping[str, Polynomial]) -> None:
+        self.function, self.rates, self.rate = function, rates, along(function, rates)
+        linear = all(len(key) == 1 and abs(value) == 1 for key, value in function.items())
+        self.form = {key[0]: int(value) for key, value in function.items()} if linear else {}
+
+    @cached_property
+    def curvature(self) -> Polynomial:
+        """The second derivative."""
+        return along(self.rate, self.rates)
 
 
 class System:
@@ -162,8 +211,14 @@ class System:
             rates["T"] = number(1)
         self.rates, self.names = rates, sorted(rates)
         self.jacobian = [[rates[i].by(j) for j in self.names] for i in self.names]
-        opening = {"lift-off": {"Z": 1, "Y": -1}} if contact else {"touch-down": {"Y": 1, "Z": -1}}
-        forms = opening | ({"stick": {"u": 1 if phase == "slip" else -1}} if contact and "u" in rates else {})
-        self.events = {name: Event(form, rates) for name, form in forms.items()}
+        gap = state("Y") - state("Z")
+        functions = {"lift-off": -gap} if contact else {"touch-down": gap}
+        if contact and "u" in rates:
+            functions["stick"] = state("u") if phase == "slip" else -state("u")
+        self.events = {name: Event(function, rates) for name, function in functions.items()}
         allowed = {"lift-off": scene.lifts, "touch-down": scene.lifts, "stick": scene.sticks}
         self.endings = [name for name in self.events if allowed[name]]  # the others belong to effects that are left out
+
+    def entered(self, box: Box, numbers: Numbers) -> Box:  # noqa: ARG002
+        """The states where the phase begins."""
+        return box

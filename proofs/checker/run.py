@@ -13,15 +13,18 @@ have chosen. No radius is believed: each follows from the start, the jumps and t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from intervals import Box, Interval, Matrix, Numbers, add, root_up, size, up, wider
 from limits import Limits, Meter, reject, require
+from mechanism import MechanismScene, MechanismSystem
 from model import Event, Polynomial, Scene, System, number, state
 from reading import entries, rational, read_line
+
+AnySystem = System | MechanismSystem
 
 VERSION = 4
 HYPOTHESES = ["invariant_region", "left_out_effects", "run_certificate"]
@@ -79,7 +82,7 @@ class Basis:
 class Curve:
     """Polynomials in τ on [0, 1] for the states of a phase, in units of 2^-unit, and the length h of the step in T."""
 
-    def __init__(self, numbers: Numbers, system: System, h: Any, unit: Any, x: Any) -> None:
+    def __init__(self, numbers: Numbers, system: AnySystem, h: Any, unit: Any, x: Any) -> None:
         self.numbers, self.names, self.h = numbers, system.names, numbers.read(h)
         require(self.h > 0 and type(unit) is int and 1 <= unit <= numbers.bits, "h or the unit of a step")
         given = entries(x, "a curve", *self.names)
@@ -88,6 +91,7 @@ class Curve:
             require(all(type(v) is int and v.bit_length() <= numbers.bits + unit for v in c), "a coefficient")
         self.unit, self.exact = unit, dict(zip(self.names, given, strict=True))
         self.x = {name: [v << (numbers.bits - unit) for v in c] for name, c in self.exact.items()}
+        self.products: dict[tuple[str, ...], list[int]] = {(): [1]}
         self.start = {name: (c[0], c[0]) for name, c in self.x.items()}
         self.end = {name: (sum(c), sum(c)) for name, c in self.x.items()}
 
@@ -108,6 +112,12 @@ class Curve:
         """The states within radii of the curve, τ in [a, b]."""
         return {name: wider(self.on({name: 1}, a, b), r) for name, r in zip(self.names, radii, strict=True)}
 
+    def product(self, key: tuple[str, ...]) -> list[int]:
+        """The product of some states' polynomials, exactly, each made once."""
+        if key not in self.products:
+            self.products[key] = self.numbers.convolution(self.product(key[:-1]), self.exact[key[-1]])
+        return self.products[key]
+
     def defect(self, rates: Mapping[str, Polynomial]) -> list[int]:
         """Bounds of |h f(x) - dx/dτ| for each state: the sum of the absolute values of exact coefficients (Lemma 1)."""
         found = []
@@ -118,10 +128,8 @@ class Curve:
             slope = [k * v for k, v in enumerate(self.exact[name])]
             terms = [convolution([-common << (self.numbers.bits + self.unit * (degree - 1))], slope)[1:]]
             for key, value in f.items():
-                term = [self.h * value.numerator * (common // value.denominator) << (self.unit * (degree - len(key)))]
-                for factor in key:
-                    term = convolution(term, self.exact[factor])
-                terms.append(term)
+                factor = [self.h * value.numerator * (common // value.denominator) << (self.unit * (degree - len(key)))]
+                terms.append(convolution(factor, self.product(key)))
             total = [0] * max(map(len, terms))  # common (h f(x) - x') in units of 2^-(bits + unit degree)
             for term in terms:
                 for k, v in enumerate(term):
@@ -141,7 +149,7 @@ class Step:
     """
 
     def __init__(
-        self, curve: Curve, system: System, pieces: Any, before: Errors | None, jump: list[Interval], clock: Interval
+        self, curve: Curve, system: AnySystem, pieces: Any, before: Errors | None, jump: list[Interval], clock: Interval
     ) -> None:
         self.curve, self.numbers, self.clock = curve, curve.numbers, clock
         n, left, defect = len(system.names), 0, curve.defect(system.rates)
@@ -207,6 +215,8 @@ class Step:
 
     def value(self, event: Event, a: int, b: int) -> Interval:
         """An event's function for τ in [a, b]."""
+        if not event.form:
+            return event.function.on(self.states(a, b), self.numbers)
         reach = sum(r for name, r in zip(self.curve.names, self.tube, strict=True) if name in event.form)
         return wider(self.curve.on(event.form, a, b), reach)
 
@@ -240,11 +250,14 @@ def positive(step: Step, event: Event, a: int, b: int) -> bool:
     return True
 
 
-def risen(step: Step, event: Event, most: int) -> int:
-    """τ ≤ most up to which a function rises that is 0 where the phase begins, and at which it is > 0 (Theorem N3)."""
+def risen(step: Step, event: Event, most: int, order: int) -> int:
+    """τ ≤ most up to which a function rises that is 0 where the phase begins (with its derivative, where ``order`` is
+    2), and at which it is > 0 (Theorem N3)."""
+    derivative = event.rate if order == 1 else event.curvature
     for halvings in range(HALVINGS):
         tau = most >> halvings
-        if step.slope(event, 0, tau)[0] > 0 and step.value(event, tau, tau)[0] > 0:
+        rises = derivative.on(step.states(0, tau), step.numbers)[0] > 0
+        if rises and step.value(event, tau, tau)[0] > 0:
             return tau
     return reject("a function that is 0 where a phase begins does not certainly rise")
 
@@ -296,12 +309,14 @@ def contact_for_ever(scene: Scene, system: System, box: Box, numbers: Numbers, c
 
 class Run:
     """Phase after phase: where ``phase`` begins, the states lie in ``box`` and T in ``clock``, and the function of the
-    event ``at_zero``, if there is one, is 0. ``found``: the events before. ``growth``: of λ for ever, at the end.
+    event ``at_zero``, if there is one, is 0, with its derivative where ``order`` is 2. ``found``: the events before.
+    ``growth``: of λ for ever, at the end.
     """
 
-    def __init__(self, scene: Scene, numbers: Numbers, lines: Iterator[bytes]) -> None:
+    def __init__(self, scene: Scene | MechanismScene, numbers: Numbers, lines: Iterator[bytes]) -> None:
         self.scene, self.numbers, self.lines = scene, numbers, lines
-        self.phase, self.box, self.clock, self.at_zero = "slip", scene.first_box(numbers), (0, 0), ""
+        self.box, self.clock = scene.first_box(numbers), (0, 0)
+        self.phase, self.at_zero, self.order = scene.begin(self.box, numbers)
         self.found: list[tuple[str, Interval]] = []
         self.growth: Fraction | None = None
 
@@ -316,12 +331,15 @@ class Run:
             phase, count, event, bracket, cone = self.next_line("a phase", "phase", "steps", "event", "bracket", "cone")
             require(phase == self.phase, f"the phase {phase!a:.50} is not the one that follows")
             require(type(count) is int and count >= 1, "a phase has no step")
-            system = System(self.scene, self.phase)
+            system = self.scene.system(self.phase)
+            self.box = system.entered(self.box, self.numbers)
             if event == "":
                 require(bracket == [], "a bracket of no event")
                 step = self.steps(system, count, "", one, one)
                 self.clock = step.time(one, one)
                 if cone != []:
+                    if not (isinstance(self.scene, Scene) and isinstance(system, System)):
+                        reject("no cone for a mechanism")
                     self.growth = contact_for_ever(self.scene, system, step.states(one, one), self.numbers, cone)
                 continue
             require(isinstance(event, str) and event in system.endings and cone == [], "no event that ends this phase")
@@ -334,7 +352,7 @@ class Run:
             self.clock = step.time(left, right)
             self.enter_next(system, event, step.states(left, right))
 
-    def steps(self, system: System, count: int, event: str, left: int, right: int) -> Step:
+    def steps(self, system: AnySystem, count: int, event: str, left: int, right: int) -> Step:
         """The last step of a phase. In all steps up to ``right`` of the last all functions are > 0, but for that of the
         event from ``left`` on."""
         before, start, clock, one = None, self.box, self.clock, self.numbers.one
@@ -345,29 +363,16 @@ class Run:
             step = Step(curve, system, pieces, before, jump, clock)
             for name, watched in system.events.items():
                 until = one if index < count - 1 else left if name == event else right
-                since = risen(step, watched, until) if index == 0 and name == self.at_zero else 0
+                since = risen(step, watched, until, self.order) if index == 0 and name == self.at_zero else 0
                 require(positive(step, watched, since, until), f"{name} in {self.phase} is not excluded")
             before, start, clock = step.errors, curve.end, step.time(one, one)
         return step
 
-    def enter_next(self, system: System, event: str, states: Box) -> None:
+    def enter_next(self, system: AnySystem, event: str, states: Box) -> None:
         """The phase after an event, from all states in its bracket; a state whose rate is 0 has kept its value."""
         self.found.append((event, self.clock))
         self.box |= {name: side for name, side in states.items() if system.rates[name]} | {"T": self.clock}
-        if event == "stick":
-            self.box["u"] = (0, 0)
-        u = self.box.get("u", (1, 1))
-        if event == "lift-off":
-            self.phase, self.at_zero = "flight", "touch-down"
-        elif event == "stick":
-            self.phase, self.at_zero = "stick", ""
-        elif u[0] > 0:
-            self.phase, self.at_zero = "slip", "lift-off"
-        else:
-            require(
-                self.scene.sticks and (u[1] < 0 or u == (0, 0)), "the direction of slip at touch-down is not certain"
-            )
-            self.phase, self.at_zero = ("stick" if u == (0, 0) else "reverse slip"), "lift-off"
+        self.phase, self.at_zero, self.order = self.scene.after(event, self.box, self.numbers)
 
     def statement(self, events: Any, end: Any) -> str:
         """The statement of the file, where it is that of the run."""
@@ -401,13 +406,15 @@ def decimal(q: Fraction) -> str:
 def check_run(hypotheses: Any, statement: Any, lines: Sequence[bytes], limits: Limits, length: int) -> str:
     """The statement that a certificate of so many bytes proves; ``lines``: those after the first."""
     require(hypotheses == HYPOTHESES, "the pages are not those of a run")
+    kind = statement.get("kind") if isinstance(statement, dict) else None
+    require(kind in ("run", "run of a mechanism"), "unknown kind of statement")
+    made: Callable[..., Scene | MechanismScene] = Scene if kind == "run" else MechanismScene
     names = ("effects", "epsilon", "until", "parameters", "start", "events", "end", "kind")
-    *scene, events, end, kind = entries(statement, "the statement", *names)
-    require(kind == "run", "unknown kind of statement")
+    *scene, events, end, _ = entries(statement, "the statement", *["mechanism"] * (kind != "run"), *names)
     rest = iter(lines)
     (bits,) = entries(read_line(next(rest, b"null")), "the line after the first", "bits")
     require(type(bits) is int and bits in BITS, "the number of bits")
-    run = Run(Scene(*scene), Numbers(bits, Meter(limits, limits.work * WORK + WORK_PER_BYTE * length)), rest)
+    run = Run(made(*scene), Numbers(bits, Meter(limits, limits.work * WORK + WORK_PER_BYTE * length)), rest)
     run.follow()
     require(next(rest, None) is None, "lines are left")
     return run.statement(events, end)
