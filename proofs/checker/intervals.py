@@ -10,7 +10,9 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
 
-from limits import Meter, digits, reject, require
+from limits import DIGIT, Meter, digits, reject, require
+
+SCHOOLBOOK = 70  # digits up to which Python multiplies each with each
 
 Interval = tuple[int, int]
 Box = dict[str, Interval]
@@ -46,6 +48,20 @@ def size(a: Interval) -> int:
 def longest(numbers: Iterable[int]) -> int:
     """The length of the longest of some integers, in digits."""
     return digits(max(map(abs, numbers), default=0))
+
+
+def packed(coefficients: Sequence[int], width: int) -> int:
+    """The value of a polynomial at 2^(8 width), for coefficients less than that in size."""
+    parts = [b"".join(max(sign * c, 0).to_bytes(width, "little") for c in coefficients) for sign in (1, -1)]
+    return int.from_bytes(parts[0], "little") - int.from_bytes(parts[1], "little")
+
+
+def karatsuba(shorter: int, longer: int) -> int:
+    """How many products of digits Python makes for one product of integers of these lengths in digits."""
+    blocks, products = up(longer, shorter), 1
+    while shorter > SCHOOLBOOK:
+        shorter, products = up(shorter, 2), 3 * products
+    return blocks * products * shorter**2
 
 
 class Numbers:
@@ -155,11 +171,17 @@ class Numbers:
         self.meter.spend(len(v) * sum(map(longest, M)) * longest(v), 4 * len(v) * len(M))
         return [up(sum(a * b for a, b in zip(row, v, strict=True)), self.one) for row in M]
 
+    def multiple(self, factor: int, c: Sequence[int]) -> list[int]:
+        """A polynomial times an integer, exactly."""
+        self.meter.spend(len(c) * digits(factor) * longest(c), 2 * len(c))
+        return [factor * v for v in c]
+
     def convolution(self, a: Sequence[int], b: Sequence[int]) -> list[int]:
-        """The coefficients of a product of two polynomials, exactly."""
-        self.meter.spend(len(a) * len(b) * longest(a) * longest(b), 2 * len(a) * len(b))
-        found = [0] * (len(a) + len(b) - 1)
-        for i, x in enumerate(a):
-            for j, y in enumerate(b):
-                found[i + j] += x * y
-        return found
+        """The coefficients of a product of two polynomials, exactly: one product of long integers (Lemma 3)."""
+        width = sum(max(map(int.bit_length, c)) for c in (a, b)) // 8 + len(a).bit_length() // 8 + 2  # bytes
+        count, half = len(a) + len(b) - 1, 1 << (8 * width - 1)
+        lengths = sorted(8 * width * len(c) // DIGIT + 1 for c in (a, b))
+        self.meter.spend(karatsuba(*lengths), 8 * count)
+        total = packed(a, width) * packed(b, width) + packed([half] * count, width)
+        data = total.to_bytes(width * count, "little")
+        return [int.from_bytes(data[i : i + width], "little") - half for i in range(0, len(data), width)]

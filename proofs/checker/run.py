@@ -31,7 +31,7 @@ HYPOTHESES = ["invariant_region", "left_out_effects", "run_certificate"]
 HALVINGS = 40  # of a step, where a sign is open
 LENGTH = 400  # of a list of coefficients
 BITS = range(64, 1025)
-WORK, WORK_PER_BYTE = 10**8, 6_000  # products of digits: for each unit of Limits.work, for each byte
+WORK, WORK_PER_BYTE = 10**8, 10_000  # products of digits: for each unit of Limits.work, for each byte
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Steps: a polynomial curve x(τ), τ in [0, 1], and how far from it a solution can be.
@@ -89,9 +89,8 @@ class Curve:
         for c in given:
             require(isinstance(c, list) and 1 <= len(c) <= LENGTH, "a list of coefficients")
             require(all(type(v) is int and v.bit_length() <= numbers.bits + unit for v in c), "a coefficient")
-        self.unit, self.exact = unit, dict(zip(self.names, given, strict=True))
-        self.x = {name: [v << (numbers.bits - unit) for v in c] for name, c in self.exact.items()}
-        self.products: dict[tuple[str, ...], list[int]] = {(): [1]}
+        self.x = {name: [v << (numbers.bits - unit) for v in c] for name, c in zip(self.names, given, strict=True)}
+        self.products: dict[tuple[str, ...], tuple[list[int], int]] = {(): ([numbers.one], 0)}
         self.start = {name: (c[0], c[0]) for name, c in self.x.items()}
         self.end = {name: (sum(c), sum(c)) for name, c in self.x.items()}
 
@@ -112,29 +111,35 @@ class Curve:
         """The states within radii of the curve, τ in [a, b]."""
         return {name: wider(self.on({name: 1}, a, b), r) for name, r in zip(self.names, radii, strict=True)}
 
-    def product(self, key: tuple[str, ...]) -> list[int]:
-        """The product of some states' polynomials, exactly, each made once."""
+    def product(self, key: tuple[str, ...]) -> tuple[list[int], int]:
+        """A polynomial, and how far on [0, 1] the product of some states' polynomials can be from it (Lemma 1)."""
         if key not in self.products:
-            self.products[key] = self.numbers.convolution(self.product(key[:-1]), self.exact[key[-1]])
+            (left, error), right, one = self.product(key[:-1]), self.x[key[-1]], self.numbers.one
+            whole = self.numbers.convolution(left, right)
+            kept = [c >> self.numbers.bits for c in whole]
+            while len(kept) > 1 and kept[-1] in (-1, 0):
+                kept.pop()
+            rounded = sum(c % one != 0 for c in whole)  # coefficients that are wrong, each by less than a unit
+            self.products[key] = kept, up(error * sum(map(abs, right)), one) + rounded
         return self.products[key]
 
     def defect(self, rates: Mapping[str, Polynomial]) -> list[int]:
-        """Bounds of |h f(x) - dx/dτ| for each state: the sum of the absolute values of exact coefficients (Lemma 1)."""
+        """Bounds of |h f(x) - dx/dτ| for each state: sums of the absolute values of coefficients (Lemma 1)."""
         found = []
         for name in self.names:
-            f, convolution = rates[name], self.numbers.convolution
-            degree = max([1, *map(len, f)])
+            f, multiple = rates[name], self.numbers.multiple
             common = math.lcm(*(value.denominator for value in f.values()))
-            slope = [k * v for k, v in enumerate(self.exact[name])]
-            terms = [convolution([-common << (self.numbers.bits + self.unit * (degree - 1))], slope)[1:]]
+            slope = [k * v for k, v in enumerate(self.x[name])][1:]
+            terms, rest = [multiple(-common << self.numbers.bits, slope)], 0
             for key, value in f.items():
-                factor = [self.h * value.numerator * (common // value.denominator) << (self.unit * (degree - len(key)))]
-                terms.append(convolution(factor, self.product(key)))
-            total = [0] * max(map(len, terms))  # common (h f(x) - x') in units of 2^-(bits + unit degree)
+                factor, (c, error) = self.h * value.numerator * (common // value.denominator), self.product(key)
+                terms.append(multiple(factor, c))
+                rest += abs(factor) * error
+            total = [0] * max(map(len, terms))  # common (h f(x) - x') in units of 2^(-2 bits)
             for term in terms:
                 for k, v in enumerate(term):
                     total[k] += v
-            found.append(up(sum(map(abs, total)), common << (self.unit * degree)))
+            found.append(up(sum(map(abs, total)) + rest, common << self.numbers.bits))
         return found
 
 

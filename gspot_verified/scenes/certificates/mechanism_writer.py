@@ -193,8 +193,9 @@ class MechanismPhase:
 
 
 def _cut(coefficients: Sequence[arb], unit: int) -> arb_poly:
-    """The polynomial with coefficients in units of 2^-unit."""
-    return arb_poly([arb((grid(c.mid(), unit), -unit)) for c in coefficients])
+    """The polynomial with coefficients rounded to units of 2^-unit."""
+    half = arb((1, -unit - 1))
+    return arb_poly([arb((grid(arb(c.mid() + half).mid(), unit), -unit)) for c in coefficients])
 
 
 def _rounded(value: arb) -> arb:
