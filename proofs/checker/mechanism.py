@@ -87,7 +87,7 @@ class Mechanism:
         require(isinstance(coordinates, list) and 1 <= len(coordinates) <= COORDINATES, "the number of coordinates")
         for q in coordinates:
             plain = isinstance(q, str) and re.fullmatch(NAME, q) and not q.endswith(("_dot", "_ref"))
-            require(plain and q not in ("y", "v", "z"), f"{q!a:.50} is no name of a coordinate")
+            require(plain and q not in ("T", "v", "y", "z"), f"{q!a:.50} is no name of a coordinate")
         require(len(set(coordinates)) == len(coordinates), "two coordinates have one name")
         require(isinstance(angles, dict) and set(angles) <= set(coordinates), "the angles are not coordinates")
         self.references = dict.fromkeys(coordinates, (Fraction(0), Fraction(1)))
@@ -105,6 +105,8 @@ class Mechanism:
         self.x, self.y = self.formula(x, still=True), self.formula(y, still=True)
         self.mass = [[self.formula(entry, still=True) for entry in row] for row in rows]
         require(all(self.mass[i][j] == self.mass[j][i] for i in range(n) for j in range(i)), "M is not symmetric")
+        self.minors = [determinant([row[:k] for row in self.mass[:k]]) for k in range(1, n + 1)]
+        self.cofactors = adjugate(self.mass)
         self.forces, self.mu = [self.formula(force) for force in forces], short(mu)
         require(self.mu >= 0, "μ < 0")
 
@@ -131,7 +133,7 @@ class Mechanism:
         return total([self.by(function, q) * state(f"{q}_dot") for q in self.coordinates])
 
     def normal(self, eps: Polynomial) -> dict[str, Polynomial]:
-        """The coordinate q_n with y = r q_n + rest, r a number, and its velocity, as functions of Y, V and the others."""
+        """The coordinate q_n where y = r q_n + rest, r a number, and its velocity, by Y, V and the others."""
         for q in self.coordinates:
             slope, names = self.y.by(self.place[q]), names_of([self.y])
             if slope and not names_of([slope]) and not names & {f"sin({q})", f"cos({q})"}:
@@ -148,7 +150,8 @@ class Mechanism:
                 angles.append(f", sin({q}_ref) = {sine}, cos({q}_ref) = {cosine}")
         rows = "; ".join(", ".join(row) for row in given["mass_matrix"])
         return (
-            f"the mechanism M q'' = f + λ_N dy/dq + λ_T dx/dq with q = ({', '.join(self.coordinates)}){''.join(angles)}, "
+            "the mechanism M q'' = f + λ_N dy/dq + λ_T dx/dq with "
+            f"q = ({', '.join(self.coordinates)}){''.join(angles)}, "
             f"M = ({rows}), f = ({', '.join(given['forces'])}), x = {given['x']}, y = {given['y']}, μ = {self.mu}"
         )
 
@@ -156,9 +159,7 @@ class Mechanism:
 class MechanismScene:
     """What is simulated: the mechanism, effects, ε, the end of the time, the contact, the start; all of it exact."""
 
-    def __init__(
-        self, mechanism: Any, effects: Any, epsilon: Any, until: Any, parameters: Any, start: Any
-    ) -> None:
+    def __init__(self, mechanism: Any, effects: Any, epsilon: Any, until: Any, parameters: Any, start: Any) -> None:
         known = isinstance(effects, list) and all(isinstance(name, str) and name in EFFECTS for name in effects)
         require(known and sorted(set(effects)) == effects, "the effects are not some of those known, in order")
         require("compliant_contact" in effects, "the contact is not compliant")
@@ -175,7 +176,14 @@ class MechanismScene:
         motions = {phase: Motion(self, phase) for phase in phases}
         self.kept = self.needed([(each.rates, names_of(each.functions.values())) for each in motions.values()])
         self.systems = {phase: MechanismSystem(self, motion) for phase, motion in motions.items()}
-        normal = {f"{name}({q})" for name in ("sin", "cos") for q in self.mechanism.coordinates if self.mechanism.place[q] in motions["slip"].solved}
+        for motion in motions.values():
+            self.check_others(motion)
+        normal = {
+            f"{name}({q})"
+            for name in ("sin", "cos")
+            for q in self.mechanism.coordinates
+            if self.mechanism.place[q] in motions["slip"].solved
+        }
         require(not normal & self.kept, "a sine of the coordinate that y replaces")
         self.start = read_numbers(start, "the start", *self.given(), "y", "v", "z")
         require(self.start["z"] >= self.start["y"], "the start is not in contact")
@@ -189,12 +197,24 @@ class MechanismScene:
             waiting = names_of([rates[name] for rates, _ in parts for name in found if name in rates]) - found
         return found
 
+    def check_others(self, motion: Motion) -> None:
+        """What is not kept is found from what is, by integrals of known functions: it exists as long as that does."""
+        known, places = set(self.kept), self.mechanism.place
+        left = [{places[q], f"{q}_dot"} - known - set(motion.solved) for q in self.mechanism.coordinates]
+        waiting = set().union(*left)
+        while waiting:
+            found = {name for name in waiting if names_of([motion.rates[name]]) <= known}
+            require(found, "a coordinate that is not followed may be one that ends to exist")
+            known, waiting = known | found, waiting - found
+
     def given(self) -> list[str]:
         """What the start gives of the coordinates and velocities."""
         found = []
         for q in self.mechanism.coordinates:
             place = self.mechanism.place[q]
-            found += [place] * bool(self.kept & {place, f"sin({q})", f"cos({q})"}) + [f"{q}_dot"] * (f"{q}_dot" in self.kept)
+            found += [place] * bool(self.kept & {place, f"sin({q})", f"cos({q})"}) + [f"{q}_dot"] * (
+                f"{q}_dot" in self.kept
+            )
         return found
 
     def first_box(self, numbers: Numbers) -> Box:
@@ -265,8 +285,7 @@ class Motion:
         m, c, eps = scene.mechanism, scene.of, number(scene.epsilon)
         dots = [state(f"{q}_dot") for q in m.coordinates]
         table = m.normal(eps)
-        self.phase, self.minors = phase, [determinant([r[:k] for r in m.mass[:k]]) for k in range(1, len(m.mass) + 1)]
-        det, cofactors = self.minors[-1], adjugate(m.mass)
+        self.phase, det, cofactors = phase, m.minors[-1], m.cofactors
         self.inverse = bool(names_of([det]))
         require(self.inverse or det, "det M is 0")
         w = state(INVERSE) if self.inverse else number(1 / det[()])
@@ -305,7 +324,7 @@ class Motion:
         self.solved = table
         self.rates = {name: put_in(rate, table) for name, rate in rates.items()}
         self.functions = {name: put_in(function, table) for name, function in functions.items()}
-        self.minors = [put_in(minor, table) for minor in self.minors]
+        self.minors = [put_in(minor, table) for minor in m.minors]
         self.divisor = put_in(self.divisor, table)
 
 

@@ -171,7 +171,10 @@ def along(function: Polynomial, rates: Mapping[str, Polynomial]) -> Polynomial:
 
 
 class Event:
-    """A function that is positive in a phase, and its derivatives along the flow; ``form``: its signs if it is Σ ± states."""
+    """A function that is positive in a phase, and its derivatives along the flow.
+
+    ``form``: the signs, where it is a sum of ± states.
+    """
 
     def __init__(self, function: Polynomial, rates: Mapping[str, Polynomial]) -> None:
         self.function, self.rates, self.rate = function, rates, along(function, rates)

@@ -119,7 +119,8 @@ class Curve:
             kept = [c >> self.numbers.bits for c in whole]
             while len(kept) > 1 and kept[-1] in (-1, 0):
                 kept.pop()
-            rounded = sum(c % one != 0 for c in whole)  # coefficients that are wrong, each by less than a unit
+            exact = sum(c == k * one for c, k in zip(whole, kept, strict=False))
+            rounded = len(whole) - exact  # coefficients that are wrong, each by at most a unit
             self.products[key] = kept, up(error * sum(map(abs, right)), one) + rounded
         return self.products[key]
 

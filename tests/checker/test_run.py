@@ -56,7 +56,7 @@ def test_all_that_are_wrong(base: str) -> None:
 
 def test_work_is_counted_before_it_is_done() -> None:
     lines = runs.flight()
-    poor = runs.changed(("WORK, WORK_PER_BYTE = 10**8, 6_000", "WORK, WORK_PER_BYTE = 10**5, 100"))
+    poor = runs.changed(("WORK, WORK_PER_BYTE = 10**8, 10_000", "WORK, WORK_PER_BYTE = 10**5, 100"))
     assert "out of the checker's range: the limit work=15" in runs.verdict(lines, poor)
     lines[0]["statement"]["parameters"]["beta"] = f"1/{10**450}"
     assert runs.verdict(lines) == "REJECTED a number of the scene has more than 400 characters"

@@ -17,7 +17,7 @@ from must_reject import runs
 
 from gspot_verified.integrator.norm_steps import taylor_curve
 from gspot_verified.integrator.norm_steps.norm_step import UNIT_INTERVAL, NormStep
-from gspot_verified.scenes.certificates import bounded_step, run_certificate
+from gspot_verified.scenes.certificates import bounded_step, run_writer
 from gspot_verified.scenes.certificates.run_certificate import certified_with_steps
 from gspot_verified.scenes.certified.certified_phase import CertifiedPhase
 from gspot_verified.scenes.equations.scaled_system import ScaledSystem
@@ -51,12 +51,12 @@ def without_event(patch: Patch, name: str) -> None:
 
 def wide_brackets(patch: Patch, earlier: arb) -> None:
     """Brackets that begin too early, by so much of a step."""
-    true = run_certificate._Writer._first
+    true = run_writer.RunWriter._first
 
     def first(self: Any, value: Callable[[arb], arb], middle: arb, side: int) -> arb:
         return true(self, value, middle - (earlier if side < 0 else 0), side)
 
-    patch.setattr(run_certificate._Writer, "_first", first)
+    patch.setattr(run_writer.RunWriter, "_first", first)
 
 
 def long_steps(patch: Patch) -> None:
@@ -95,12 +95,12 @@ def states_at_the_left_end(patch: Patch) -> runs.Lines:
 def time_at_the_left_end(patch: Patch) -> runs.Lines:
     """The same with the time alone: the third hull of an event is that of its time."""
     wide_brackets(patch, arb(2) ** -14)
-    true, calls = run_certificate.hull, itertools.count()
+    true, calls = run_writer.hull, itertools.count()
 
     def hull(ends: Sequence[arb]) -> arb:
         return true(ends if next(calls) % 3 < 2 else (ends[0], ends[0] + arb(2) ** -200))
 
-    patch.setattr(run_certificate, "hull", hull)
+    patch.setattr(run_writer, "hull", hull)
     return written("fig-varsim1", **FLIGHT, until="77/100")
 
 
@@ -133,7 +133,7 @@ def radii_forgotten(patch: Patch) -> runs.Lines:
 
 def jumps_forgotten(patch: Patch) -> runs.Lines:
     """Each curve begins a little above the last one's end."""
-    true = run_certificate.bounded_step
+    true = run_writer.bounded_step
 
     def lazy(field: Any, names: Any, chosen: Any, h: arb, before: Any, start: Any, bits: Any) -> Any:
         if before is not None:
@@ -142,7 +142,7 @@ def jumps_forgotten(patch: Patch) -> runs.Lines:
             start = [p(arb(0)) for p in raised]
         return true(field, names, chosen, h, before, start, bits)
 
-    patch.setattr(run_certificate, "bounded_step", lazy)
+    patch.setattr(run_writer, "bounded_step", lazy)
     return written("fig-varsim1", **FLIGHT, until="1/2")
 
 
@@ -166,7 +166,7 @@ def short_of_the_end(_: Patch) -> runs.Lines:
 
 EXCLUSION = 'require(positive(step, watched, since, until), f"{name} in {self.phase} is not excluded")'
 CURVE = "curve = Curve(self.numbers, system, h, unit, x)"
-RISES = "if step.slope(event, 0, tau)[0] > 0 and step.value(event, tau, tau)[0] > 0:"
+RISES = "if rises and step.value(event, tau, tau)[0] > 0:"
 RULES: dict[Callable[[Patch], runs.Lines], tuple[str, str]] = {
     no_lift_off: (EXCLUSION, "pass"),
     no_touch_down: (EXCLUSION, "pass"),
@@ -177,7 +177,7 @@ RULES: dict[Callable[[Patch], runs.Lines], tuple[str, str]] = {
     bounce_in_the_first_step: (RISES, "if step.value(event, tau, tau)[0] > 0:"),
     radii_forgotten: ("        if before is not None:\n            turned", "        if False:\n            turned"),
     jumps_forgotten: (CURVE, f"{CURVE}; start = start if before is None else curve.start"),
-    small_defect: ("common << (self.unit * degree)))", "1024 * common << (self.unit * degree)))"),
+    small_defect: ("+ rest, common << self", "+ rest, 1024 * common << self"),
     half_of_the_growth: ("scaled = [[up(entry * h, one)", "scaled = [[up(entry * h, 2 * one)"),
     short_of_the_end: (" and self.clock[0] * unit >= self.scene.until", ""),
 }  # fmt: skip

@@ -36,7 +36,7 @@ def part(name: str) -> ModuleType:
 
 def changed(*replacements: tuple[str, str], name: str = "run") -> ModuleType:
     """The checker of runs with other words in one of its files, as modules of its own."""
-    names = ("intervals", "model", "run")
+    names = ("intervals", "model", "mechanism", "run")
     kept = {each: part(each) for each in names}
     try:
         for each in names:

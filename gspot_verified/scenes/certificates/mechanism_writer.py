@@ -1,8 +1,8 @@
 """The certificate of a mechanism's run: the steps of the run, with sines, cosines and divisors beside its states.
 
 The producer's side of ``proofs/run_certificate.md``, section 1a. Nothing here is part of a proof. The bases of the run
-are carried along: an error of the run's states moves sines, cosines and divisors with it, and what else can be wrong with
-these has directions of its own.
+are carried along: an error of the run's states moves sines, cosines and divisors with it, and what else can be wrong
+with these has directions of its own.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from gspot_verified.scenes.certificates.polynomial_mechanism import (
     V,
     expression,
 )
-from gspot_verified.scenes.certificates.run_writer import RunWriter
+from gspot_verified.scenes.certificates.run_writer import RunWriter, WrittenPhase
 from gspot_verified.scenes.certified.certified_phase import CertifiedPhase
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF
 from gspot_verified.scenes.effects.stick import STICKS
@@ -107,7 +107,7 @@ class MechanismPhase:
         self._equations, self._phase = equations, equations.phases[name]
         m = equations.mechanism
         self._run_names = [equations.token(each) for each in CertifiedPhase(scene.system(name)).names]
-        kept = equations.kept - (set() if self._phase.divisor != 0 else {SLIDE})
+        kept = equations.kept - ({SLIDE} if self._phase.divisor.is_zero() else set())
         self._own = [i for i, each in enumerate(self._run_names) if each in kept]
         added = sorted(kept - set(self._run_names))
         turning = {each for q in m.coordinates for each in (f"sin({q})", f"cos({q})")}
@@ -122,7 +122,7 @@ class MechanismPhase:
 
     def enter(self, states: dict[str, arb]) -> None:
         """The divisor of stick."""
-        if self._phase.divisor != 0:
+        if not self._phase.divisor.is_zero():
             states[SLIDE] = 1 / self._equations.value(self._phase.divisor, states)
 
     def event(self, name: str) -> Callable[[Sequence[Any]], Any]:
@@ -177,7 +177,7 @@ class MechanismPhase:
         for name, divisor in self._divisors.items():
             moved[name] = {}
             for part in m.names_in([divisor]):
-                slope = -values[name] ** 2 * self._equations.value(divisor.derivative(m.names.index(part)), values)
+                slope = -(values[name] ** 2) * self._equations.value(divisor.derivative(m.names.index(part)), values)
                 for state, share in moved.get(part, {part: arb(1)}).items():
                     moved[name][state] = moved[name].get(state, arb(0)) + slope * share
             more.append({name: arb(1)})
@@ -216,7 +216,7 @@ class MechanismWriter(RunWriter):
         """All states where the run begins."""
         return self.equations.start()
 
-    def phase(self, name: str) -> MechanismPhase:
+    def phase(self, name: str) -> WrittenPhase:
         """The equations of a phase."""
         return MechanismPhase(self.scene, self.equations, name)
 

@@ -96,7 +96,11 @@ class PolynomialMechanism:
     def names_in(self, polynomials: Iterable[fmpq_mpoly]) -> set[str]:
         """What occurs in them."""
         return {
-            self.names[i] for each in polynomials for powers in each.to_dict() for i, power in enumerate(powers) if power
+            self.names[i]
+            for each in polynomials
+            for powers in each.to_dict()
+            for i, power in enumerate(powers)
+            if power
         }
 
     def _text(self, polynomial: fmpq_mpoly) -> str:
@@ -172,7 +176,7 @@ class PolynomialMechanism:
         used = self.names_in([self.y])
         for q in self.coordinates:
             slope = self.y.derivative(self.names.index(self.place[q]))
-            if slope != 0 and slope.is_constant() and not used & {f"sin({q})", f"cos({q})"}:
+            if not slope.is_zero() and slope.is_constant() and not used & {f"sin({q})", f"cos({q})"}:
                 rest, share = self.y - slope * self.of(self.place[q]), 1 / number_of(slope)
                 return {
                     self.place[q]: share * (epsilon**2 * self.of(Y) - rest),
@@ -199,7 +203,10 @@ class PolynomialMechanism:
         """det M times the inverse of M."""
         n = range(len(self.mass))
         return [
-            [(-1) ** (i + j) * self.determinant([[self.mass[k][m] for m in n if m != j] for k in n if k != i]) for j in n]
+            [
+                (-1) ** (i + j) * self.determinant([[self.mass[k][m] for m in n if m != j] for k in n if k != i])
+                for j in n
+            ]
             for i in n
         ]
 
@@ -213,9 +220,7 @@ def expression(polynomial: fmpq_mpoly, states: Mapping[int, int]) -> Expression:
     """The polynomial with Variable(states[i]) for its variable i."""
     terms: list[Expression] = []
     for powers, value in polynomial.to_dict().items():
-        factors: list[Expression] = [
-            Variable(states[i]) for i, power in enumerate(powers) for _ in range(int(power))
-        ]
+        factors: list[Expression] = [Variable(states[i]) for i, power in enumerate(powers) for _ in range(int(power))]
         product: Expression = Constant(value)
         for k, factor in enumerate(factors):
             product = factor if k == 0 and value == 1 else Product(product, factor)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from flint import arb, arb_poly, fmpq
+from flint import arb, fmpq
 
 from gspot_verified.certificates.text import RUN_VERSION, sealed
 from gspot_verified.functions.derivative import ZERO
@@ -38,11 +38,11 @@ _FORMS = {"touch-down": ("Y", "Z"), "lift-off": ("Z", "Y"), "stick": ("u", "")}
 
 
 class WrittenPhase(Protocol):
-    """The equations of one phase as a certificate has them: ``names`` of the states, ``resting`` ones have the rate 0."""
+    """The equations of one phase as a certificate has them: ``names`` of the states; ``resting``: those that rest."""
 
     names: tuple[str, ...]
     field: VectorField
-    resting: Sequence[str]
+    resting: list[str]
 
     def enter(self, states: dict[str, arb]) -> None:
         """Add what begins with the phase."""
@@ -115,7 +115,7 @@ class RunWriter:
         """The equations of a phase."""
         return ModelPhase(self.scene, name)
 
-    def after(self, phase: str, event: str, states: dict[str, arb]) -> str:
+    def after(self, phase: str, event: str, states: dict[str, arb]) -> str:  # noqa: ARG002
         """The phase after an event; its states may become exact."""
         if event == LIFT_OFF:
             return FLIGHT
@@ -161,9 +161,7 @@ class RunWriter:
             h = self._length(clock) if chosen.h is None else chosen.h
             unit = self.bits - _GUARD_BITS
             step = phase.chosen(chosen, unit)
-            found: BoundedStep = bounded_step(
-                phase.field, phase.names, step, h, before, states, (unit, self.last)
-            )
+            found: BoundedStep = bounded_step(phase.field, phase.names, step, h, before, states, (unit, self.last))
             self.lines.append(found.text)
             before, began = found.step, clock
             states, clock = [p(arb(1)) for p in before.solution], clock + h
@@ -173,7 +171,7 @@ class RunWriter:
             return ""
         if steps[-1].h is None:
             return "time"
-        if self.scene.stop_at_force is not None:
+        if not isinstance(phase, ModelPhase):  # a large force has ended the run
             self.until = _before(clock * self.scene.epsilon)
             return "time"
         head["cone"] = _cone(phase, before.enclosure(arb(1)), clock)
@@ -190,7 +188,8 @@ class RunWriter:
         function = phase.event(name)
 
         def value(tau: arb) -> arb:
-            return function(step.enclosure(tau))
+            found: arb = function(step.enclosure(tau))
+            return found
 
         curve = function(step.solution)
         known = [event for event in self.run.events if event.name != IMPACT][len(self.events)]
@@ -225,10 +224,8 @@ class RunWriter:
         return [str(fmpq((low * power).floor()) / power), str(fmpq((high * power).ceil()) / power)]
 
 
-def _cone(phase: WrittenPhase, box: Sequence[arb], clock: arb) -> list[str]:
+def _cone(phase: ModelPhase, box: Sequence[arb], clock: arb) -> list[str]:
     """The numbers of a cone that is kept for ever."""
-    if not isinstance(phase, ModelPhase):
-        raise NotBounded("the run ends before its time, and no cone is known")
     form = ContactForm(phase.system)
     named = dict(zip(phase.names, box, strict=True))
     whole = [named[name] for name in form.names] + [clock, form.k * (named["Z"] - named["Y"])]
