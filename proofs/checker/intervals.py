@@ -177,7 +177,7 @@ class Numbers:
         return [factor * v for v in c]
 
     def convolution(self, a: Sequence[int], b: Sequence[int]) -> list[int]:
-        """The coefficients of a product of two polynomials, exactly: one product of long integers (Lemma 3)."""
+        """The coefficients of a product of two polynomials, exactly: one product of long integers (Lemma 1)."""
         width = sum(max(map(int.bit_length, c)) for c in (a, b)) // 8 + len(a).bit_length() // 8 + 2  # bytes
         count, half = len(a) + len(b) - 1, 1 << (8 * width - 1)
         lengths = sorted(8 * width * len(c) // DIGIT + 1 for c in (a, b))

@@ -73,6 +73,16 @@ def stick() -> Lines:
     return copy.deepcopy(_good("fig-varsim2", (("nu", "4"), ("u", "1"), ("epsilon", "1/5"), ("until", "2"))))
 
 
+def rod() -> Lines:
+    """A mechanism: slip, stick, reverse slip and flight."""
+    return copy.deepcopy(_good("rod", (("epsilon", "1/20"), ("until", "1/2"))))
+
+
+def oscillator() -> Lines:
+    """A mechanism with a divisor, in slip."""
+    return copy.deepcopy(_good("oscillator", (("epsilon", "1/20"), ("until", "1/10"))))
+
+
 def verdict(lines: Lines | bytes, run: ModuleType | None = None) -> str:
     """What the checker says of these lines."""
     data = lines if isinstance(lines, bytes) else text_of(lines)
@@ -99,6 +109,8 @@ def changes(lines: Lines) -> Iterator[tuple[str, Change]]:
     yield from _of_phases(lines)
     yield from _of_steps(lines)
     yield from _of_types(lines)
+    if "mechanism" in lines[0]["statement"]:
+        yield from _of_mechanism(lines)
 
 
 def _set(*path: Any, to: Callable[[Any], Any]) -> Change:
@@ -137,8 +149,9 @@ def _of_events(lines: Lines) -> Iterator[tuple[str, Change]]:
         yield f"{name} twice", _set(*at, to=lambda old, i=i: old[: i + 1] + old[i:])
         for wrong in (0.5, None, "nan", "1/0", "0x1", True, "1.5", "-inf"):
             yield f"bracket of {name} from {wrong!r}", _set(*at, i, 1, to=lambda _, wrong=wrong: wrong)
-    yield "events in another order", _set(*at, to=lambda old: old[::-1])
-    yield "no events", _set(*at, to=lambda _: [])
+    if events:
+        yield "events in another order", _set(*at, to=lambda old: old[::-1])
+        yield "no events", _set(*at, to=lambda _: [])
     other = {"time": "for ever", "for ever": "time"}
     yield "another end", _set(0, "statement", "end", to=lambda old: other[old])
 
@@ -150,17 +163,18 @@ def _of_scene(lines: Lines) -> Iterator[tuple[str, Change]]:
         yield f"{name} left out", lambda lines, name=name: lines[0]["statement"]["parameters"].pop(name)
     for name in statement["start"]:
         yield f"{name} moved at the start", _set(0, "statement", "start", name, to=_plus(Fraction(1, 10**25)))
-    for name in ("k_1", "damping"):
+    for name in ("k_1", "k_2", "damping"):
         yield f"{name} < 0", _set(0, "statement", "parameters", name, to=lambda old: f"-{old}")
     yield "no contact at the start", _set(0, "statement", "start", "z", to=lambda _: "-1")
     yield "epsilon + 1e-15", _set(0, "statement", "epsilon", to=_plus(Fraction(1, 10**15)))
     yield "epsilon < 0", _set(0, "statement", "epsilon", to=lambda old: f"-{old}")
     yield "epsilon as a float", _set(0, "statement", "epsilon", to=lambda _: 0.05)
     yield "epsilon too long", _set(0, "statement", "epsilon", to=lambda _: f"1/{10**500 + 1}")
-    yield "until before the last event", _set(0, "statement", "until", to=lambda _: "7/10")
+    if statement["events"]:
+        yield "until before the last event", _set(0, "statement", "until", to=lambda _: statement["events"][-1][1])
     if statement["end"] == "time":
         yield "until later", _set(0, "statement", "until", to=_plus(Fraction(1, 10**12)))
-    for effect in statement["effects"]:
+    for effect in statement["effects"] if statement["events"] else ["compliant_contact"]:  # others: also true
         yield f"without {effect}", _set(0, "statement", "effects", to=lambda old, e=effect: [x for x in old if x != e])
     yield "an unknown effect", _set(0, "statement", "effects", to=lambda old: [*old, "wind"])
     yield "an effect twice", _set(0, "statement", "effects", to=lambda old: [old[0], *old])
@@ -259,7 +273,7 @@ def _of_steps(lines: Lines) -> Iterator[tuple[str, Change]]:
         yield f"pieces at {i} end early", _set(i, "pieces", -1, "end", to=lambda _: [15, -4])
         yield f"pieces at {i} end late", _set(i, "pieces", -1, "end", to=lambda _: [3, -1])
         yield f"no pieces at {i}", _set(i, "pieces", to=lambda _: [])
-        yield f"a state at {i} left out", lambda lines, i=i: lines[i]["x"].pop("b")
+        yield f"a state at {i} left out", lambda lines, i=i: lines[i]["x"].pop(min(lines[i]["x"]))
     first = at[0]
     yield (
         "two steps exchanged",
@@ -270,10 +284,74 @@ def _of_steps(lines: Lines) -> Iterator[tuple[str, Change]]:
 
 def _of_types(lines: Lines) -> Iterator[tuple[str, Change]]:
     first = next(i for i, line in enumerate(lines) if "x" in line)
+    state = min(lines[first]["x"])
     for wrong in (0.5, None, True, "1", [], 10**500):
-        yield f"a coefficient {wrong!r:.9}", _set(first, "x", "b", 0, to=lambda _, wrong=wrong: wrong)
+        yield f"a coefficient {wrong!r:.9}", _set(first, "x", state, 0, to=lambda _, wrong=wrong: wrong)
         yield f"a node {wrong!r:.9}", _set(first, "pieces", 0, "nodes", 0, 0, to=lambda _, wrong=wrong: wrong)
         yield f"an entry {wrong!r:.9}", _set(first, "pieces", 0, "basis", 0, to=lambda _, wrong=wrong: wrong)
     for key in ("x", "pieces", "h", "unit"):
         yield f"{key} is null", _set(first, key, to=lambda _: None)
-    yield "401 coefficients", _set(first, "x", "b", to=lambda c: c + [0] * (401 - len(c)))
+    yield "401 coefficients", _set(first, "x", state, to=lambda c: c + [0] * (401 - len(c)))
+
+
+def _of_mechanism(lines: Lines) -> Iterator[tuple[str, Change]]:
+    at = (0, "statement", "mechanism")
+    given = lines[0]["statement"]["mechanism"]
+    n = len(given["coordinates"])
+    for q, (sine, cosine) in given["angles"].items():
+        yield f"sine of {q}_ref + 1e-20", _set(*at, "angles", q, 0, to=_plus(Fraction(1, 10**20)))
+        yield f"{q}_ref turned", _set(*at, "angles", q, to=lambda _, new=[cosine, sine]: new)
+        yield f"{q}_ref of a long pair", _set(*at, "angles", q, to=lambda _: ["1", "1"])
+        yield f"{q}_ref without a cosine", _set(*at, "angles", q, to=lambda pair: pair[:1])
+        yield f"{q} without a reference", _set(*at, "angles", to=lambda _: {})
+    for i in range(n):
+        force = (*at, "forces", i)
+        yield f"force {i} + 1e-20", _set(*force, to=lambda text: f"{text} + 1/{10**20}")
+        yield f"force {i} with a power", _set(*force, to=lambda text: f"{text} + 1*sin(x)**2")
+        yield f"force {i} with a bracket", _set(*force, to=lambda text: f"2*({text})")
+        yield f"force {i} empty", _set(*force, to=lambda _: "")
+        yield f"force {i} null", _set(*force, to=lambda _: None)
+        yield f"force {i} with an unknown name", _set(*force, to=lambda text: f"{text} + 0*w")
+        yield f"force {i} with the clock", _set(*force, to=lambda text: f"{text} + 1*T")
+        yield f"force {i} with a scaled state", _set(*force, to=lambda text: f"{text} + 1*y/eps^2")
+        yield f"force {i} too long", _set(*force, to=lambda text: f"{text} + 0" * 300)
+        yield f"mass {i} + 1e-20", _set(*at, "mass_matrix", i, i, to=lambda text: f"{text} + 1/{10**20}")
+        yield f"mass {i} < 0", _set(*at, "mass_matrix", i, i, to=lambda _: "-1")
+        yield f"mass {i} of 0", _set(*at, "mass_matrix", i, i, to=lambda _: "0")
+        yield f"row {i} of 0", _set(*at, "mass_matrix", i, to=lambda row: ["0"] * len(row))
+        yield f"row {i} shorter", _set(*at, "mass_matrix", i, to=lambda row: row[:-1])
+        speed = f"1*{given['coordinates'][i]}_dot"
+        yield f"mass {i} with a velocity", _set(*at, "mass_matrix", i, i, to=lambda text, v=speed: f"{text} + {v}")
+    yield "a matrix that is not symmetric", _set(*at, "mass_matrix", 0, n - 1, to=lambda text: f"{text} + 1/{10**20}")
+    yield "mu + 1e-20", _set(*at, "mu", to=_plus(Fraction(1, 10**20)))
+    yield "mu < 0", _set(*at, "mu", to=lambda text: f"-{text}")
+    yield "mu as a formula", _set(*at, "mu", to=lambda text: f"{text}*1")
+    for name in ("x", "y"):
+        other = given["y" if name == "x" else "x"]
+        yield f"{name} doubled", _set(*at, name, to=lambda text: f"{text} + {text}")
+        yield f"{name} that of the other", _set(*at, name, to=lambda _, other=other: other)
+        yield f"{name} constant", _set(*at, name, to=lambda _: "1")
+        yield f"{name} with a velocity", _set(*at, name, to=lambda text: f"{text} + {speed}")
+    yield "coordinates exchanged", _set(*at, "coordinates", to=lambda q: q[::-1])
+    for wrong in ("T", "y", "q_dot", "q_ref", "sin(q)", "", 1, "q" * 41, "q-q"):
+        yield f"a coordinate {wrong!r:.8}", _set(*at, "coordinates", 0, to=lambda _, wrong=wrong: wrong)
+    yield "a coordinate twice", _set(*at, "coordinates", to=lambda q: [q[0]] * len(q))
+    yield "no coordinates", _set(*at, "coordinates", to=lambda _: [])
+    yield "no mechanism", _set(*at, to=lambda _: None)
+    yield "a run of the model", _set(0, "statement", "kind", to=lambda _: "run")
+    yield "another mechanism", _set(*at, to=lambda _, n=n: _another(n))
+    yield "a number more at the start", _set(0, "statement", "start", to=lambda old: old | {"w": "0"})
+    angle = next(name for name in lines[0]["statement"]["start"] if name.startswith("("))
+    yield "an angle far from its reference", _set(0, "statement", "start", angle, to=lambda _: "9")
+    first = next(i for i, line in enumerate(lines) if "x" in line)
+    for name, c in lines[first]["x"].items():
+        if name.startswith(("sin", "cos", "1/")):
+            unit = lines[first]["unit"]
+            yield f"{name} off its value", _set(first, "x", name, 0, to=lambda v, unit=unit: v + (1 << (unit - 60)))
+            yield f"{name} at rest", _set(first, "x", name, to=lambda c: c[:1])
+            yield f"{name} turned", _set(first, "x", name, to=lambda c: [-v for v in c])
+
+
+def _another(n: int) -> Any:
+    """The mechanism of the other certificate."""
+    return (oscillator() if n == 3 else rod())[0]["statement"]["mechanism"]
