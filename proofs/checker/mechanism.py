@@ -165,6 +165,7 @@ class MechanismScene:
         require("compliant_contact" in effects, "the contact is not compliant")
         self.slides, self.sticks = "tangential_motion" in effects, "stick" in effects
         self.lifts, self.coupled = "lift_off" in effects, False
+        self.follows = "belt" not in effects  # u, which is counted from the surface: its velocity is not known there
         require(self.slides or not self.sticks, "stick without tangential motion")
         require(not (self.slides and "belt" in effects), "tangential motion on a belt")
         self.effects, self.epsilon, self.until = effects, short(epsilon), short(until)
@@ -255,7 +256,7 @@ class MechanismScene:
             return "stick", "", 0
         if event in (FORWARDS, BACKWARDS):
             return ("slip" if event == FORWARDS else "reverse slip"), STICK, 2
-        if not self.slides:
+        if not self.follows:
             return "slip", LIFT, 1
         u = self.systems["slip"].events[STICK].function.on(box, numbers)
         require(u[0] > 0 or (u[1] < 0 and self.sticks), "the direction of slip at touch-down is not certain")
@@ -270,8 +271,8 @@ class MechanismScene:
     def seen(self) -> list[str]:
         """What is seen to hold of the effects that are left out, or is assumed (left_out_effects.md)."""
         found = ["λ_N > 0 all along, as leaving an effect out assumes"] * (not self.lifts)
-        found += ["u > 0 in contact all along, as leaving an effect out assumes"] * (self.slides and not self.sticks)
-        return found + ["provided that in contact slip is positive, which is not shown"] * (not self.slides)
+        found += ["u > 0 in contact all along, as leaving an effect out assumes"] * (self.follows and not self.sticks)
+        return found + ["provided that in contact slip is positive, which is not shown"] * (not self.follows)
 
 
 class Motion:
@@ -316,7 +317,7 @@ class Motion:
             rates |= {f"sin({q})": eps * dot_q * state(f"cos({q})"), f"cos({q})": -eps * dot_q * state(f"sin({q})")}
         functions = {LIFT: -gap} if phase != "flight" else {TOUCH: gap}
         u = dot(by_x, dots)
-        if scene.slides and phase in ("slip", "reverse slip"):
+        if scene.follows and phase in ("slip", "reverse slip"):
             functions[STICK] = u if phase == "slip" else -u
         if phase == "stick":  # |λ_T| ≤ μ λ_N, times A det M > 0
             functions[FORWARDS] = number(m.mu) * A * force - still

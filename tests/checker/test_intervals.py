@@ -9,9 +9,12 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 from must_reject import runs
+
+from gspot_verified.numbers.balls import working_bits
 
 BITS = 64
 intervals: Any = runs.part("intervals")
@@ -23,6 +26,10 @@ points = st.fractions(0, 1, max_denominator=1000)
 
 def numbers() -> Any:
     return intervals.Numbers(BITS, limits.Meter(limits.Limits(), 10**9))
+
+
+def ball(q: Fraction) -> arb:
+    return arb(fmpq(q.numerator, q.denominator))
 
 
 def value(n: int) -> Fraction:
@@ -54,6 +61,63 @@ def test_rationals(q: Fraction, a: tuple[int, int], share: Fraction) -> None:
     assert holds(found, q)
     assert found[1] - found[0] <= 1
     assert holds(numbers().scaled(q, a), q * inside(a, share))
+
+
+@given(pairs, points)
+def test_reciprocal(a: tuple[int, int], share: Fraction) -> None:
+    if a[0] <= 0:
+        with pytest.raises(limits.Rejected, match="a divisor is not certainly positive"):
+            numbers().reciprocal(a)
+    else:
+        assert holds(numbers().reciprocal(a), 1 / inside(a, share))
+        low, high = numbers().reciprocal((a[0], a[0]))
+        assert high - low <= 1
+
+
+@given(st.fractions(-8, 8, max_denominator=10**6))
+def test_sine_and_cosine(q: Fraction) -> None:
+    with working_bits(200):
+        for (low, high), exact in zip(numbers().sine_cosine(q), (ball(q).sin(), ball(q).cos()), strict=True):
+            assert ball(value(low)) <= exact <= ball(value(high))
+            assert high - low < 2**20
+
+
+def test_sine_and_cosine_of_0_are_exact() -> None:
+    assert numbers().sine_cosine(Fraction(0)) == ((0, 0), (2**BITS, 2**BITS))
+
+
+@pytest.mark.parametrize("q", [Fraction(81, 10), Fraction(-9)])
+def test_an_angle_that_is_large(q: Fraction) -> None:
+    with pytest.raises(limits.Rejected, match="not within 8"):
+        numbers().sine_cosine(q)
+
+
+coefficients = st.lists(st.integers(-(2**70), 2**70), min_size=1, max_size=20)
+
+
+@given(coefficients, coefficients)
+def test_convolution(a: list[int], b: list[int]) -> None:
+    """Against sums of products."""
+    exact = [sum(a[i] * b[k - i] for i in range(len(a)) if 0 <= k - i < len(b)) for k in range(len(a) + len(b) - 1)]
+    assert numbers().convolution(a, b) == exact
+
+
+@pytest.mark.parametrize("count", [1, 2, 127, 128, 255, 256])
+def test_convolution_of_the_largest(count: int) -> None:
+    """All coefficients as long as their length allows: none runs into the next one."""
+    for sign in (1, -1):
+        a, b = [2**64 - 1] * count, [sign * (2**63 - 1)] * count
+        found = numbers().convolution(a, b)
+        assert found[count - 1] == count * a[0] * b[0]
+        assert found[0] == found[-1] == a[0] * b[0]
+
+
+def test_work_of_a_convolution_is_paid() -> None:
+    poor = intervals.Numbers(BITS, limits.Meter(limits.Limits(), 10**5))
+    with pytest.raises(limits.Rejected, match="the limit work"):
+        poor.convolution([2**400] * 100, [2**400] * 100)
+    assert intervals.karatsuba(10, 35) == 4 * 100
+    assert intervals.karatsuba(140, 140) == 3 * 70**2
 
 
 @given(pairs, pairs, points, points)

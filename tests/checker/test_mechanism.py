@@ -150,7 +150,11 @@ def test_a_velocity_that_nothing_sees_may_end_to_exist() -> None:
     given = statement()
     changed = {"forces": ["1*X_dot*X_dot", "-3/5", "0"], "x": "1*X", "mu": "0"}
     start = {name: value for name, value in given["start"].items() if name != "X_dot"}
-    scene = given | {"mechanism": given["mechanism"] | changed, "effects": ["compliant_contact"], "start": start}
+    scene = given | {
+        "mechanism": given["mechanism"] | changed,
+        "effects": ["belt", "compliant_contact"],
+        "start": start,
+    }
     with pytest.raises(limits.Rejected, match="may be one that ends to exist"):
         mechanism.MechanismScene(*(scene[key] for key in KEYS))
 

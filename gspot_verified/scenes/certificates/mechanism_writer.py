@@ -33,12 +33,14 @@ from gspot_verified.scenes.certificates.polynomial_mechanism import (
 )
 from gspot_verified.scenes.certificates.run_writer import RunWriter, WrittenPhase
 from gspot_verified.scenes.certified.certified_phase import CertifiedPhase
+from gspot_verified.scenes.certified.conditions import Conditions
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF
 from gspot_verified.scenes.effects.stick import STICKS
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, STICK
 from gspot_verified.scenes.scene.scene import Scene
 
 _BASIS_BITS = 53  # of the entries of a basis
+BELT = "belt"
 _SERIES = 2  # times the length of the run's polynomials: those of sines and divisors
 
 
@@ -51,9 +53,10 @@ class MechanismEquations:
     def __init__(self, scene: Scene) -> None:
         assert scene.mechanism is not None
         self.mechanism, self._scene, self.epsilon = PolynomialMechanism(scene.mechanism), scene, scene.epsilon
-        slides, values = "tangential_motion" in scene.effects, scene.values()
+        self._followed = Conditions.of(scene).followed
+        follows, values = BELT not in scene.effects, scene.values()
         self.phases = {
-            name: PolynomialPhase(self.mechanism, name, scene.epsilon, values, slides) for name in scene.phases()
+            name: PolynomialPhase(self.mechanism, name, scene.epsilon, values, follows) for name in scene.phases()
         }
         self.kept = self._kept()
 
@@ -66,10 +69,19 @@ class MechanismEquations:
             waiting = names(phase.rates[name] for phase in self.phases.values() for name in found) - found
         return found
 
+    def run_names(self, phase: str) -> list[str]:
+        """The states of the run in a phase, as a certificate calls them."""
+        return [self.token(name) for name in CertifiedPhase(self._scene.system(phase, self._followed)).names]
+
+    def exact_start(self) -> dict[str, str]:
+        """What the statement says of the start."""
+        values = self._scene.scaled_initial(self._followed)
+        return {self.mechanism.place.get(name, name): str(v) for name, v in values.items() if name not in SCALED}
+
     def start(self) -> dict[str, arb]:
         """All states where the run begins."""
         m = self.mechanism
-        given = {self.token(name): arb(value) for name, value in self._scene.scaled_initial().items()}
+        given = {self.token(n): arb(value) for n, value in self._scene.scaled_initial(self._followed).items()}
         for q in m.coordinates:
             if m.place[q] in given:
                 given |= self.turned(q, given[m.place[q]])
@@ -103,10 +115,10 @@ class MechanismEquations:
 class MechanismPhase:
     """One phase for the states that are kept: those of the run first, then sines, cosines and divisors."""
 
-    def __init__(self, scene: Scene, equations: MechanismEquations, name: str) -> None:
+    def __init__(self, equations: MechanismEquations, name: str) -> None:
         self._equations, self._phase = equations, equations.phases[name]
         m = equations.mechanism
-        self._run_names = [equations.token(each) for each in CertifiedPhase(scene.system(name)).names]
+        self._run_names = equations.run_names(name)
         kept = equations.kept - ({SLIDE} if self._phase.divisor.is_zero() else set())
         self._own = [i for i, each in enumerate(self._run_names) if each in kept]
         added = sorted(kept - set(self._run_names))
@@ -218,7 +230,7 @@ class MechanismWriter(RunWriter):
 
     def phase(self, name: str) -> WrittenPhase:
         """The equations of a phase."""
-        return MechanismPhase(self.scene, self.equations, name)
+        return MechanismPhase(self.equations, name)
 
     def after(self, phase: str, event: str, states: dict[str, arb]) -> str:
         """The phase after an event."""
@@ -236,5 +248,5 @@ class MechanismWriter(RunWriter):
             "kind": "run of a mechanism",
             "mechanism": m.given,
             "parameters": {name: str(values[name]) for name in ("damping", "k_1", "k_2")},
-            "start": {m.place.get(name, name): str(value) for name, value in self.scene.initial().items()},
+            "start": self.equations.exact_start(),
         }

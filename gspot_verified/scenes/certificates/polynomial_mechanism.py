@@ -26,7 +26,7 @@ from gspot_verified.functions.expressions import (
 )
 from gspot_verified.mechanisms.derive.derivation import lagrangian_input
 from gspot_verified.mechanisms.derive.to_system import Preparation
-from gspot_verified.mechanisms.formulas.symbol import Symbol
+from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED, Symbol
 from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism
 from gspot_verified.scenes.equations.motion import SceneError
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, STICK
@@ -135,6 +135,8 @@ class PolynomialMechanism:
                 q = self.coordinates[index]
                 sine, cosine, (s, c) = self.of(f"sin({q})"), self.of(f"cos({q})"), self.references[q]
                 return c * sine - s * cosine if isinstance(node, Sine) else c * cosine + s * sine
+        if node is Symbol(SLIP_SPEED):
+            raise NotPolynomial("certificates of runs need a friction coefficient that is a number")
         what = {Power: "a division or a root", Symbol: "a reference angle outside of a sine or cosine"}
         named = what.get(type(node), f"{type(node).__name__.lower()} of more than one coordinate")
         raise NotPolynomial(f"certificates of runs cover polynomials of sin(q) and cos(q), not {named}")
@@ -232,7 +234,7 @@ class PolynomialPhase:
     """The rates by T and the events' functions in one phase; ``divisor``: what 1/(A det M) is the inverse of."""
 
     def __init__(
-        self, mechanism: PolynomialMechanism, phase: str, epsilon: fmpq, values: Mapping[str, fmpq], slides: bool
+        self, mechanism: PolynomialMechanism, phase: str, epsilon: fmpq, values: Mapping[str, fmpq], follows: bool
     ) -> None:
         m, zero = mechanism, mechanism.number(0)
         table, det, cofactors = m.normal(epsilon), m.minors()[-1], m.cofactors()
@@ -262,7 +264,7 @@ class PolynomialPhase:
             rates |= m.turns(q, epsilon) | {f"{q}_dot": epsilon * acceleration}
         functions = {"touch-down": -gap} if phase == FLIGHT else {"lift-off": gap}
         u = _dot(by_x, dots, zero)
-        if slides and phase in (SLIP, REVERSE):
+        if follows and phase in (SLIP, REVERSE):
             functions["stick"] = u if phase == SLIP else -u
         if phase == STICK:
             functions |= {"slip forwards": m.mu * A * force - still, "slip backwards": m.mu * A * force + still}

@@ -15,7 +15,7 @@ from flint import fmpq
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.certificates.bounded_step import NotBounded
-from gspot_verified.scenes.certificates.mechanism_writer import MechanismEquations, MechanismWriter
+from gspot_verified.scenes.certificates.mechanism_writer import BELT, MechanismEquations, MechanismWriter
 from gspot_verified.scenes.certificates.polynomial_mechanism import NotPolynomial
 from gspot_verified.scenes.certificates.run_writer import RunWriter
 from gspot_verified.scenes.certified.certified_integration import MAX_STEPS, integrated_run, is_narrow, precisions_for
@@ -56,7 +56,7 @@ def _check_mechanism(scene: Scene) -> None:
     others = [name for name in scene.effects if name not in COVERED_OF_MECHANISMS]
     if others:
         raise NotCertified(f"certificates of runs of a mechanism do not cover the effect {others[0]}")
-    if "belt" in scene.effects and "tangential_motion" in scene.effects:
+    if BELT in scene.effects and "tangential_motion" in scene.effects:
         raise NotCertified("certificates of runs do not cover tangential motion on a belt")
     if scene.first_phase() != SLIP or not scene.initial()["z"] >= scene.initial()["y"]:
         raise NotCertified("certificates of runs begin in contact and in slip, u > 0")
@@ -113,7 +113,7 @@ def certified_with_steps(
 
 def _is_said(scene: Scene, assumption: Assumption) -> bool:
     """Whether the statement of a certificate says that this is assumed."""
-    return scene.mechanism is not None and assumption.effect == "tangential_motion"
+    return scene.mechanism is not None and BELT in scene.effects and assumption.effect == "tangential_motion"
 
 
 def _phases(journal: Path) -> list[list[ChosenStep]]:

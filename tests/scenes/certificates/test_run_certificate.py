@@ -70,7 +70,8 @@ def test_a_process_of_its_own(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "settings", "why"),
     [
-        ("rod", {}, "cover the model system, not a mechanism"),
+        ("stribeck", {}, "need a friction coefficient that is a number"),
+        ("rod", {"X_dot": "-2"}, "begin in contact and in slip"),
         ("fig-varsim1", {"y": "0", "v": "0", "z": "0"}, "begin in contact, y < z"),
         ("fig-varsim2", {"a": "1/10"}, "a = 0"),
         ("fig-varsim2", {"u": "-1"}, "in slip, u > 0"),
