@@ -11,6 +11,7 @@ standard library is imported. The parts, in the order in which they are read; ea
     force        the contact force and its zeros (certificate.md, Statements; check.md, sections 5a and 5b)
     intervals    intervals of integers, rounded outward (run_certificate.md, section 6)
     model        the equations and events of the model system (run_certificate.md, section 1)
+    mechanism    the equations and events of a mechanism, from its mass matrix, forces and contact (section 1a there)
     run          a run: its steps, signs and events (run_certificate.md, sections 2 to 4)
     __main__     the kinds of statements, and the command line
 """

@@ -1,8 +1,8 @@
-"""Check a run of the model system: every step, every event, their order, and contact for ever (run_certificate.md).
+"""Check a run: every step, every event, their order, and contact for ever (run_certificate.md).
 
 The statement is in the first line: a scene in exact numbers, and its changes of phase, each with a bracket of its time.
-The equations and the events are those of model.py; the file has polynomials, bases and bounds that any producer may
-have chosen. No radius is believed: each follows from the start, the jumps and the defects.
+The equations and the events are those of model.py and mechanism.py; the file has polynomials, bases and bounds that
+any producer may have chosen. No radius is believed: each follows from the start, the jumps and the defects.
 
     Steps     how far solutions can be from a polynomial curve (section 2, Theorems N1' and N2)
     Signs     what stays positive, and what leaves zero (section 3, Theorem N3)
