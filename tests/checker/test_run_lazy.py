@@ -19,7 +19,7 @@ from gspot_verified.integrator.norm_steps import taylor_curve
 from gspot_verified.integrator.norm_steps.norm_step import UNIT_INTERVAL, NormStep
 from gspot_verified.scenes.certificates import bounded_step, run_writer
 from gspot_verified.scenes.certificates.run_certificate import certified_with_steps
-from gspot_verified.scenes.certified.certified_phase import CLOCK, CertifiedPhase
+from gspot_verified.scenes.certified.certified_phase import CertifiedPhase
 from gspot_verified.scenes.equations.scaled_system import ScaledSystem
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.scene import Scene
