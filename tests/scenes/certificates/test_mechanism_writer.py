@@ -60,7 +60,7 @@ def test_effects_that_are_left_out() -> None:
 
 @pytest.mark.slow
 def test_a_touch_down() -> None:
-    said = said_of(load_scene("oscillator", epsilon="1/100", until="1/2"))
+    said = said_of(load_scene("oscillator", epsilon="1/1000", until="23/200"))
     assert "lift-off at t in [" in said
     assert "touch-down at t in [" in said
 
