@@ -1,5 +1,5 @@
 """The command line ``gspot-verified``."""
 
-from gspot_verified.cli.main import main, run
+from gspot_verified.cli.main import main
 
-__all__ = ["main", "run"]
+__all__ = ["main"]

@@ -25,7 +25,7 @@ sys.path.insert(0, root)
 import gspot_verified
 sys.path.remove(root)
 sys.path.append(root)
-from gspot_verified.cli import run
+from gspot_verified.__main__ import run
 run()
 """
 

@@ -11,7 +11,6 @@ import io
 import os
 import signal
 import sys
-import threading
 from collections.abc import Callable, Sequence
 from importlib import import_module
 
@@ -22,14 +21,13 @@ from gspot_verified.cli.command_groups import GROUPS
 from gspot_verified.cli.isolation import isolate
 from gspot_verified.cli.output import NOT_WRITTEN
 from gspot_verified.cli.progress_line import line_at_terminal
+from gspot_verified.work.interrupt import INTERRUPTED, was_interrupted
 
 USAGE = 64  # as in sysexits.h: a command line that cannot be run
 INTERNAL = 70  # as in sysexits.h: a fault of the program
-INTERRUPTED = 130  # 128 + SIGINT, as shells show it
 CLOSED_PIPE = 141
 """128 + SIGPIPE: what a shell shows for a program that a closed pipe ended."""
 
-_interrupted = threading.Event()
 _CANNOT_WRITE = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 
 COMMANDS = {name: module for members in GROUPS.values() for name, module in members.items()}
@@ -72,7 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         typer.echo("interrupted", err=True)
         return INTERRUPTED
     except Exception as error:
-        if _interrupted.is_set():
+        if was_interrupted():
             typer.echo("interrupted", err=True)
             return INTERRUPTED
         # A usage error. Its class has moved between releases of typer; what they share is show().
@@ -85,16 +83,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return int(code) if isinstance(code, int) else 0
 
 
-def _interrupt(*_: object) -> None:
-    """As Python does; and kept in mind, because an import that is interrupted may fail with another error."""
-    _interrupted.set()
-    raise KeyboardInterrupt
-
-
 def run() -> None:
-    """The console script."""
-    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-        signal.signal(signal.SIGINT, _interrupt)
+    """The program ``gspot-verified``, once it is loaded (``gspot_verified/__main__.py``)."""
     isolate(sys.argv[1:])
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from gspot_verified.__main__ import run
 from gspot_verified.cli import main
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -75,29 +76,54 @@ class Interrupt(MetaPathFinder):
                 raise ERROR
 
 sys.meta_path.insert(0, Interrupt())
-from gspot_verified.cli import run
+from gspot_verified.__main__ import run
 run()
 """
 
 
 @pytest.mark.parametrize(
-    ("module", "error", "ends"),
+    ("module", "error"),
     [
-        # Before the program begins Python ends by the signal itself, which shells show as 130.
-        ("typer", "KeyboardInterrupt", -signal.SIGINT),
-        ("gspot_verified.cli.commands.sign_commands", "KeyboardInterrupt", 130),
-        ("flint", "KeyboardInterrupt", 130),
-        ("flint", "ImportError('what a library made of it')", 130),
-        ("gspot_verified.signs.cover.sign", "SyntaxError('without unicodedata')", 130),
+        ("gspot_verified.cli", "KeyboardInterrupt"),
+        ("typer", "KeyboardInterrupt"),
+        ("typer", "ImportError('what a library made of it')"),
+        ("gspot_verified.cli.commands.sign_commands", "KeyboardInterrupt"),
+        ("flint", "KeyboardInterrupt"),
+        ("flint", "ImportError('what a library made of it')"),
+        ("gspot_verified.signs.cover.sign", "SyntaxError('without unicodedata')"),
     ],
 )
-def test_an_interrupt_during_imports_is_no_refutation(module: str, error: str, ends: int) -> None:
+def test_an_interrupt_during_imports_is_no_refutation(module: str, error: str) -> None:
     program = _DURING_THE_IMPORT.replace("MODULE", repr(module)).replace("ERROR", error)
     command = [sys.executable, "-c", program, *POINT]
     done = subprocess.run(command, capture_output=True, text=True, env=environment(), check=False)
-    assert done.returncode == ends, done.stderr
+    assert done.returncode == 130, done.stderr
     assert done.stdout == ""
-    assert ends < 0 or done.stderr.split() == ["interrupted"]
+    assert done.stderr.split() == ["interrupted"]
+
+
+def test_an_interrupt_while_the_program_leaves(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A second one, while the first is being told, or one between the result and the end."""
+    monkeypatch.setattr(sys.modules["gspot_verified.cli.main"], "main", interrupt)
+    monkeypatch.setattr("gspot_verified.__main__.listen", lambda: None)
+    monkeypatch.setattr(sys, "argv", ["gspot-verified", *POINT])
+    with pytest.raises(SystemExit) as left:
+        run()
+    assert left.value.code == 130
+    assert capsys.readouterr().err.split() == ["interrupted"]
+
+
+def test_an_error_that_is_no_interrupt_is_not_called_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken() -> int:
+        raise ImportError("typer")
+
+    monkeypatch.setattr(sys.modules["gspot_verified.cli.main"], "main", broken)
+    monkeypatch.setattr("gspot_verified.__main__.listen", lambda: None)
+    monkeypatch.setattr(sys, "argv", ["gspot-verified", *POINT])
+    with pytest.raises(ImportError, match="typer"):
+        run()
 
 
 def environment() -> dict[str, str]:

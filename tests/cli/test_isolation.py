@@ -63,7 +63,7 @@ def test_a_sitecustomize_changes_no_result_and_poisons_no_later_run(tmp_path: Pa
 def test_the_key_of_an_isolated_run_is_its_own() -> None:
     code = "from gspot_verified.paper.content_key import ingredients; import json; print(json.dumps(ingredients(())))"
     start = isolation.command([])
-    isolated = [*start[:3], start[3].replace("from gspot_verified.cli import run\nrun()", code), *start[4:]]
+    isolated = [*start[:3], start[3].replace("from gspot_verified.__main__ import run\nrun()", code), *start[4:]]
     outputs = [
         subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT).stdout
         for command in (isolated, [sys.executable, "-c", code])
