@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from gspot_verified.cli.app import print_json
+from gspot_verified.cli.app import print_json, progress
 from gspot_verified.cli.output import Outputs
 from gspot_verified.cli.ranges_progress import RangesProgress
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from gspot_verified.compliant.zeros.zero_certificate import SlowZerosCertificate
 
 DEFAULT_BETA = "1..7"
+_MANY = 100  # ranges of beta: from so many on it is said how long the work may take
 
 
 def zeros_at_finite_epsilon(beta: str, epsilon: str, digits: int, as_json: bool) -> NoReturn:
@@ -52,13 +53,19 @@ def zeros_over_a_rectangle(
     :raises ValueError: a picture of one epsilon is asked for, or a certificate that is not for beta in (4, 5) and all
         small epsilon.
     """
-    from gspot_verified.compliant.zeros.zero_map import number_of_rows, zero_map
+    from gspot_verified.compliant.zeros.zero_map import least_work, zero_map
     from gspot_verified.work.executors import executor
 
     if picture is not None and ".." not in epsilon:
         raise ValueError("--picture needs a range of ε, such as 0..10")
     proof = None if certificate is None else _certificate(beta, epsilon)
-    shown = RangesProgress(rows=number_of_rows(epsilon))
+    rows, ranges = least_work(beta, epsilon)
+    if rows * ranges > _MANY:
+        progress(
+            f"{rows} rows of ε with {ranges} ranges of β each, and more where they are cut: {rows * ranges} or more at "
+            f"about half a second, at most {budget} (--budget)"
+        )
+    shown = RangesProgress(rows=rows)
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         zeros = zero_map(beta, epsilon, budget=budget, executor=pool, journal=journal, progress=shown)
     if picture is not None:

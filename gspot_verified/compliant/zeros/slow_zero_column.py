@@ -13,7 +13,7 @@ from gspot_verified.signs.cover.zero_column import cover, right_tail
 
 MAX_REACH = 256  # tau up to which tails are looked for, against endless work
 MAP_REACH = 16  # the same in a map: a column that needs more is cut
-_FIRST_REACH = 8  # tau up to which they are looked for at first, then twice as far
+_FIRST_REACH = 2  # tau up to which they are looked for at first, then twice as far: models are wide at large tau
 
 
 def slow_zero_column(

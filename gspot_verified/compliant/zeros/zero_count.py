@@ -17,6 +17,7 @@ from gspot_verified.compliant.slow.slow_signs import CELL, SlowSigns
 from gspot_verified.compliant.zeros.slow_zero_column import slow_zero_column
 from gspot_verified.compliant.zeros.zero_places import polynomial_places, zero_places
 from gspot_verified.numbers.balls import ExactInput, ball_text, exact
+from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import cover, equal, every
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
@@ -76,15 +77,18 @@ class SlowZeros(NoTruthValue, Written):
             return equal(number, distinct_real_zeros(force_polynomial(int(self.beta.p) - 1, self.epsilon)))
         if self.column is None:
             return None
-        counted = number_of_zeros(self.column)
+        found = number_of_zeros(self.column)
         pieces = cover(((piece.lower, piece.upper) for piece in self.column.pieces), (None, None))
-        return None if counted is None else every([pieces, equal(number, counted)])
+        return None if found is None else every([pieces, equal(number, found)])
 
     def __str__(self) -> str:
         if self.number is None:
             return str(self.verdict)
         compared = "as for Θ" if self.number == self.law else f"for Θ (ε → 0): {self.law}"
         lines = [f"  T = {ball_text(place, self.digits)}" for place in self.places]
+        left_out = self.number - len(self.places)
+        if left_out > 0:
+            lines.append(f"  {counted(left_out, 'zero')} more, too far out to be enclosed")
         return "\n".join([f"{self.verdict} ({compared})", *lines])
 
 

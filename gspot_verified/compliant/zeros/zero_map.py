@@ -5,7 +5,7 @@ Proof page: ``proofs/finite_epsilon_zeros.md``, sections 4 to 6. beta < 4 is The
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ from gspot_verified.work.ranges import Range
 
 LEAST_BETA, THEOREM_UP_TO, MAX_BETA = fmpq(1), fmpq(4), fmpq(10)  # limits of input; between them section 4 (a)'s
 MAX_EPSILON = fmpq(100)  # a limit of input: ValueError beyond it
-DEFAULT_BUDGET = 2_000  # ranges of beta that are examined, against endless work
+DEFAULT_BUDGET = 5_000  # ranges of beta that are examined, against endless work
 _COLUMN = fmpq(1, 8)  # of beta: the cuts to begin with, and the widest range with a fold
 _LEAST_PIECE = fmpq(1, 2**7)  # of tau; a column that needs narrower ones is cut
 _FIRST_ETA, _ETA_STEP = fmpq(2, 25), fmpq(1, 10)  # where epsilon is cut into rows: a heuristic
@@ -145,7 +145,7 @@ class ZeroMap(NoTruthValue, Written):
             lines.append(f"  β < 4, every ε > 0, by theorem: {_law_below_4(self.beta)}")
         for row in self.rows:
             parts = [f"{_numbers_text(numbers)} on ({a}, {b})" for a, b, numbers in row.stretches()]
-            parts += [f"? on ({a}, {b})" for a, b in row.unfinished]
+            parts += [f"? on ({a}, {b})" for a, b in _joined(row.unfinished)]
             lines.append(f"  ε in [{_short(row.lower)}, {_short(row.upper)}]: " + ", ".join(parts))
         if any(len(numbers) == 2 for row in self.rows for _, _, numbers in row.stretches()):
             lines.append(
@@ -165,8 +165,8 @@ def zero_map(
 ) -> ZeroMap:
     """The number of real zeros of F_(beta-1)(.; epsilon) over a range of beta and a range (or one value) of epsilon.
 
-    ``epsilon`` = "0..10" stands for 0 < epsilon <= 10. ``budget`` counts examined ranges of beta in each row of
-    epsilon. ``journal``: a file for each row, this name with the row's number; a killed run goes on from them.
+    ``epsilon`` = "0..10" stands for 0 < epsilon <= 10. ``budget`` counts examined ranges of beta, in all rows of
+    epsilon together. ``journal``: a file for each row, this name with the row's number; a killed run goes on from them.
 
     :raises ValueError: beta not inside [1, 10], or epsilon not inside [0, 100].
 
@@ -189,7 +189,7 @@ def zero_map(
             for number, ends in enumerate(_rows(*epsilons))
         ]
         for (lower, upper), kept in zip(_rows(*epsilons), journals, strict=True):
-            tree = Subdivision(_columns(*betas), budget, max_depth=8, journal=kept)
+            tree = Subdivision(_columns(*betas), budget - examined, max_depth=8, journal=kept)
             for step in tree.steps(
                 partial(examine, epsilon_lower=lower, epsilon_upper=upper), executor or InProcessExecutor()
             ):
@@ -200,15 +200,16 @@ def zero_map(
     return ZeroMap(betas, epsilons, tuple(rows), examined)
 
 
-def number_of_rows(epsilon: Range | str) -> int:
-    """How many rows of epsilon a map over this range has.
+def least_work(beta: Range | str, epsilon: Range | str) -> tuple[int, int]:
+    """How many rows of epsilon a map has, and how many ranges of beta are examined in each at least.
 
-    :raises ValueError: not inside [0, 100].
+    :raises ValueError: beta not inside [1, 10], or epsilon not inside [0, 100].
 
-    >>> number_of_rows("1/10"), number_of_rows("0..100") > 10
-    (1, True)
+    >>> least_work("1..7", "1/10"), least_work("1..4", "1/10"), least_work("5..6", "0..100")[0] > 10
+    ((1, 24), (1, 0), True)
     """
-    return len(_rows(*_ends(epsilon, "epsilon", fmpq(0), MAX_EPSILON)))
+    rows = _rows(*_ends(epsilon, "epsilon", fmpq(0), MAX_EPSILON))
+    return len(rows), len(_columns(*_ends(beta, "beta", LEAST_BETA, MAX_BETA)))
 
 
 def _journal_of_row(
@@ -271,6 +272,17 @@ def _rows(lower: fmpq, upper: fmpq) -> list[tuple[fmpq, fmpq]]:
         eta += _ETA_STEP
     ends = [lower, *(cut for cut in cuts if lower < cut), upper]
     return list(pairwise(ends))
+
+
+def _joined(ranges: Sequence[tuple[fmpq | None, fmpq]]) -> list[tuple[fmpq | None, fmpq]]:
+    """Ranges in their order, neighbours as one."""
+    joined: list[tuple[fmpq | None, fmpq]] = []
+    for lower, upper in ranges:
+        if joined and joined[-1][1] == lower:
+            joined[-1] = (joined[-1][0], upper)
+        else:
+            joined.append((lower, upper))
+    return joined
 
 
 def _law_below_4(beta: tuple[fmpq, fmpq]) -> str:

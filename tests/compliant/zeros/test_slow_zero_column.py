@@ -106,6 +106,18 @@ def test_the_right_end_is_sought_up_to_its_reach() -> None:
     assert right_end(_Falling(fmpq(5)), 0, 1, 8) == CELL  # type: ignore[arg-type]
 
 
+def test_the_right_end_is_sought_from_near_on() -> None:
+    """Far out the models are too wide to tell a sign, for large epsilon from tau = 6 on."""
+
+    class Blurred(_Falling):
+        def changes(self, tau: fmpq, n: int) -> int | None:
+            return super().changes(tau, n) if tau <= 6 else None
+
+    for zero, wanted in ((fmpq(1), fmpq(3, 2)), (fmpq(3), fmpq(7, 2))):
+        assert right_end(Blurred(zero), 0, 0, 16) == wanted  # type: ignore[arg-type]
+    assert right_end(Blurred(fmpq(7)), 0, 0, 16) is None  # type: ignore[arg-type]
+
+
 def test_a_right_end_that_is_given_is_tried_alone() -> None:
     pieces = (ColumnPiece(Kind.LEFT, None, fmpq(-1)), ColumnPiece(Kind.RIGHT, fmpq(7), None, 0))
     along = Column(fmpq(3, 2), fmpq(3, 2), pieces)

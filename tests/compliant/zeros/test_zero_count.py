@@ -104,6 +104,8 @@ def test_texts_and_data() -> None:
         "β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)\n  T = [7.394"
     )
     assert str(slow_zeros("5/2", "1/10", 3)).splitlines()[0].endswith("ε = 1/10: 2 (as for Θ)")
+    assert len(str(found).splitlines()) == 2
+    assert str(replace(found, places=())).splitlines()[1:] == ["  one zero more, too far out to be enclosed"]
     still_open = replace(found, number=None, places=())
     assert str(still_open) == str(still_open.verdict)
     assert still_open.verdict.outcome is Outcome.UNDECIDED

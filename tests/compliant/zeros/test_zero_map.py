@@ -22,7 +22,7 @@ from gspot_verified.compliant.zeros.fold_column import (
     numbers_of_zeros,
 )
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
-from gspot_verified.compliant.zeros.zero_map import Row, examine, zero_map
+from gspot_verified.compliant.zeros.zero_map import Row, examine, least_work, zero_map
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.work.ranges import Range
@@ -45,7 +45,7 @@ def test_the_fold_for_all_small_epsilon() -> None:
     """For 0 < epsilon <= 1/1000 at once: three zeros, and one beyond the fold next to beta = 6."""
     found = zero_map("47/8..6", "0..1/1000")
     assert found.verdict.outcome is Outcome.PROVED
-    assert {numbers for _, _, numbers in found.rows[0].stretches()} == {(3,), (3, 1)}
+    assert found.rows[0].stretches() == [(fmpq(47, 8), fmpq(6), (3, 1))]
 
 
 @pytest.mark.slow
@@ -196,6 +196,16 @@ def test_a_killed_run_goes_on(tmp_path: Path) -> None:
     assert (again, (tmp_path / "map.0").read_bytes()) == (whole, kept)
     with pytest.raises(ValueError, match="not a journal of this question"):
         zero_map(BELOW_FOLD[0], "1", journal=journal)
+
+
+def test_the_budget_is_of_all_rows_and_what_is_left_is_joined() -> None:
+    found = zero_map("17/4..9/2", "1/1000..1/50", budget=1)
+    assert (found.examined, len(found.rows)) == (1, 3)
+    assert [len(row.unfinished) for row in found.rows] == [1, 2, 2]
+    assert found.verdict.outcome is Outcome.UNDECIDED
+    assert "5 ranges of β left in 3 rows of ε" in str(found)
+    assert str(found).splitlines()[-1].endswith(": ? on (17/4, 9/2)")
+    assert least_work("17/4..9/2", "1/1000..1/50") == (3, 2)
 
 
 def test_a_journal_is_named_by_a_text_too(tmp_path: Path) -> None:
