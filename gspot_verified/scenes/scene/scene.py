@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -301,11 +302,17 @@ class Scene(Shown):
 
     def with_settings(self, **settings: ExactInput | None) -> Scene:
         """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``epsilon`` (``eps`` is
-        the same), ``until``, ``start`` ("slip" takes y, v, z from the slow manifold); None changes nothing.
+        the same), ``until``, ``start`` ("slip" takes y, v, z from the slow manifold); None changes nothing. The name
+        says which parameters of a mechanism are others: its G-spots are others, too, and the start is the same.
 
         :raises SceneError: there is no such setting.
         """
-        return self._with(self.effects, self.defaults(), settings)
+        changed = self._with(self.effects, self.defaults(), settings)
+        if self.mechanism is None or changed.mechanism is None:
+            return changed
+        before, after = dict(self.mechanism.parameters), dict(changed.mechanism.parameters)
+        others = [word for word in after if after[word] != before[word]]
+        return replace(changed, name=_name_with(self.name, {word: str(settings[word]) for word in others}))
 
     def _with(
         self, effects: tuple[str, ...], defaults: Mapping[str, fmpq], settings: Mapping[str, ExactInput | None]
@@ -354,6 +361,12 @@ class Scene(Shown):
         if self.mechanism is None:
             return START_KEYS
         return tuple(dict.fromkeys((*self.mechanism.state, "y", "v", "z")))
+
+
+def _name_with(name: str, values: Mapping[str, str]) -> str:
+    for word, value in values.items():
+        name = re.sub(rf", {re.escape(word)} = [^,]*", "", name)[:60] + f", {word} = {value}"
+    return name[:80]
 
 
 def checked_start(value: object) -> bool:

@@ -91,3 +91,13 @@ def test_an_arm_starts_next_to_the_g_spot_that_is_asked(number: int) -> None:
     state = scene.motion.whole_state(scene.values())  # type: ignore[union-attr]
     assert all(abs(a - b) < 0.1 for a, b in zip(state[:2], map(ball, spot.system.point), strict=False))
     assert scene.motion.painleve_parameter(scene.values()) > 0
+
+
+def test_another_parameter_is_said_in_the_name() -> None:
+    """The G-spot of the scene is not one of the mechanism with another mu."""
+    scene = scene_before_spot(load("rod"), 1)
+    assert scene.with_settings(epsilon="1/100", mu=None).name == scene.name
+    other = scene.with_settings(mu="3/2")
+    assert other.name == f"{scene.name}, mu = 3/2"
+    assert other.with_settings(mu="7/4").name == f"{scene.name}, mu = 7/4"
+    assert other.with_settings(g=9, mu="3/2").name == f"{scene.name}, mu = 3/2, g = 9"
