@@ -13,7 +13,6 @@ from gspot_verified.mechanisms.foreign.compared import Compared, compare
 from gspot_verified.mechanisms.foreign.exact_formulas import ExactFormulas
 from gspot_verified.mechanisms.foreign.names import coordinate_names, mechanism_name, parameter_names, renamed_text
 from gspot_verified.mechanisms.foreign.sympy_equations import SympyEquations, sympy_equations, time_symbol
-from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED
 from gspot_verified.mechanisms.input.given import lagrangian
@@ -50,7 +49,8 @@ def from_sympy(
     :param contact: ``x`` and ``y``, the tangential and the normal place of the contact point (y = 0: it touches), and
         ``mu``, as formulas of the coordinates; ``slip_velocity`` in the place of x; ``slip`` "positive" or "negative".
         For scenes a symbol slip_speed may stand in mu. The keys are those of the table "contact" of a mechanism's file.
-    :param parameters: a value for each symbol, or None: it stays a symbol.
+    :param parameters: a value for each symbol, or None: it stays a symbol. What sympy assumes of a symbol (positive,
+        ...) is asked of each value that it gets, also later.
     :param rationalize: take each Float as the decimal that it shows (0.1 is 1/10); otherwise a Float is refused.
     :param angles: (sine, cosine) of the reference angle of a coordinate.
     :param g_spot: ``search``, ``fixed``, ``conditions``, ``point``: as the table "g_spot" of a mechanism's file.
@@ -108,14 +108,15 @@ def from_sympy(
         **made,
     )
     refuse_impossible(mechanism)
-    read.check_assumptions(mechanism)
     turn = -1 if mechanism.mirrored else 1
     slip = parts["slip_velocity"] if "slip_velocity" in parts else parts["x"].diff(time_symbol())
     agreed = compare(mechanism, Compared(equations, turn * slip, parts["y"], read.words))
     remarks = [*read.remarks, *_rationalized(formulas.replaced)]
     if not agreed:
         remarks.append("the equations have no value at the states at which they are compared: not compared")
-    return replace(mechanism, remarks=tuple(remarks))
+    made_so = replace(mechanism, remarks=tuple(remarks), assumed=read.assumptions())
+    made_so.check_assumed()
+    return made_so
 
 
 def _only(name: str, what: str, given: Mapping[str, Any], keys: Sequence[str]) -> dict[str, Any]:
@@ -273,15 +274,7 @@ class _Translation:
         """A formula of parameters and reference angles; a text is one in the names here."""
         return value if isinstance(value, str) else self._named(self._formulas(value, where))
 
-    def check_assumptions(self, mechanism: Mechanism) -> None:
-        """What sympy assumes of a symbol holds for its value.
-
-        :raises MechanismError: it does not.
-        """
-        values = mechanism.parameter_values()
-        for symbol, word in self.words.items():
-            number = to_sympy(values[word]) if word in values else None
-            wrong = next((a for a in _ASSUMED if number is not None and getattr(symbol, f"is_{a}")
-                          and not getattr(number, f"is_{a}")), None)  # fmt: skip
-            if wrong is not None:
-                raise MechanismError(f"{self._name}: sympy's symbol {symbol} is assumed {wrong}; its value is {number}")
+    def assumptions(self) -> tuple[tuple[str, str], ...]:
+        """What sympy assumes of the symbols, by their names here."""
+        return tuple((word, each) for symbol, word in self.words.items() for each in _ASSUMED
+                     if getattr(symbol, f"is_{each}"))  # fmt: skip

@@ -15,6 +15,7 @@ from flint import fmpq
 
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 from gspot_verified.functions.expressions import Expression
+from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.formulas.rewriting import replaced
 from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant
@@ -108,7 +109,8 @@ class Mechanism(Shown):
 
     Either ``x`` or ``slip_velocity`` is given. ``mirrored`` says that x, or the slip velocity, has the opposite sign of
     what the user gave: negative slip there is positive slip here. ``drawing`` is no part of what a mechanism is: two
-    that differ in nothing else are equal. ``remarks`` say what a reader must know of how it came in.
+    that differ in nothing else are equal. ``remarks`` say what a reader must know of how it came in. ``assumed``: pairs
+    such as (parameter, "positive"), in sympy's words, where formulas were simplified under that.
     """
 
     name: str
@@ -125,6 +127,7 @@ class Mechanism(Shown):
     regularisation: Regularisation = PAPER
     drawing: Drawing | None = field(default=None, compare=False)
     remarks: tuple[str, ...] = ()
+    assumed: tuple[tuple[str, str], ...] = ()
 
     def __str__(self) -> str:
         parameters = ", ".join(name for name, _ in self.parameters) or "none"
@@ -134,7 +137,7 @@ class Mechanism(Shown):
     def with_parameters(self, **values: ExactInput | None) -> Mechanism:
         """The same mechanism with other values of some parameters; None makes a parameter a symbol.
 
-        :raises MechanismError: there is no such parameter, or the value is not an exact rational.
+        :raises MechanismError: there is no such parameter, the value is not an exact rational, or not as was assumed.
         """
         known = dict(self.parameters)
         for name, value in values.items():
@@ -143,7 +146,24 @@ class Mechanism(Shown):
                     f"{self.name} has no parameter {name!r}{nearest(name, known)}; it has: {', '.join(known) or 'none'}"
                 )
             known[name] = None if value is None else constant(exact_rational(value, name))
-        return replace(self, parameters=tuple(known.items()))
+        changed = replace(self, parameters=tuple(known.items()))
+        changed.check_assumed()
+        return changed
+
+    def check_assumed(self) -> None:
+        """What formulas were simplified under holds for the values that parameters have.
+
+        :raises MechanismError: it does not.
+        """
+        if not self.assumed:
+            return
+        values = self.parameter_values()
+        for name, word in self.assumed:
+            if name not in values or symbol_names([values[name]]):
+                continue
+            number = to_sympy(values[name])
+            if not getattr(number, f"is_{word}"):
+                raise MechanismError(f"{self.name}: sympy's symbol {name} is assumed {word}; its value is {number}")
 
     def parameter_values(self) -> dict[str, Expression]:
         """The value of each parameter that has one, with the values that it uses put in.

@@ -185,6 +185,8 @@ def _axes(mechanism: Mechanism, parameters: Over) -> tuple[Axis, ...]:
             raise ValueError(f"{name}: the number of cells must be an int >= 1")
         if not lower < upper:
             raise ValueError(f"{name}: the range must have a lower end below its upper end, got {lower}..{upper}")
+        for value in (lower, upper, lower + min(fmpq(1), upper - lower) / 2, max(lower, min(upper, fmpq(0)))):
+            mechanism.with_parameters(**{name: value})  # refused where formulas assume another sign, or an integer
         axes.append(Axis(name, lower, upper, cells_asked))
     total = 1
     for axis in axes:

@@ -31,7 +31,7 @@ from mechanisms.foreign.two_link import (
 )
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
-from gspot_verified import Scene, SceneError, classify, from_sympy, load
+from gspot_verified import Scene, SceneError, classify, from_sympy, load, sweep
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.formulas.simplify import constant, rational_value
 from gspot_verified.mechanisms.input.given import from_energies, lagrangian
@@ -349,7 +349,17 @@ def test_what_sympy_assumed_of_a_symbol_must_hold() -> None:
         of_block(L, parameters=values | {stiff: -3})
     with pytest.raises(MechanismError, match="symbol k is assumed positive; its value is -2"):
         of_block(L, parameters=values | {stiff: -m})
-    assert dict(of_block(L, parameters=values | {stiff: None}).parameters)["k"] is None
+    left = of_block(L, parameters=values | {stiff: None})
+    assert dict(left.parameters)["k"] is None
+    assert same(left.with_parameters(k=3), of_block(PLAIN - 3 * x**2 / 2))
+    for later in (left, of_block(L, parameters=values | {stiff: 3})):
+        with pytest.raises(MechanismError, match="symbol k is assumed positive; its value is -3"):
+            later.with_parameters(k=-3)
+    with pytest.raises(MechanismError, match="symbol k is assumed positive; its value is -1"):
+        sweep(left, {"k": "-1..3:2"})
+    twice = of_block(L, parameters={m: None, g: 10, stiff: -m})
+    with pytest.raises(MechanismError, match="symbol k is assumed positive; its value is -2"):
+        twice.with_parameters(m=2)
     sign = dynamicsymbols("s", positive=True)
     with pytest.raises(MechanismError, match=r"coordinate s\(t\) is assumed positive"):
         from_sympy((sympy.eye(2), [0, -1]), coordinates=[sign, y], contact={"x": sign, "y": y, "mu": 1})
