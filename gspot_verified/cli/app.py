@@ -28,6 +28,7 @@ _VERSIONS = {
     "report": 2,
     "scenes": 2,
     "simulate": 2,
+    "simulators": 2,
     "theta": 2,
     "verify": 3,
 }

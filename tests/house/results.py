@@ -70,7 +70,7 @@ def _entry() -> object:
 
 def _comparison() -> object:
     start = {"X": 0, "X_dot": 5, "theta": "4/5", "theta_dot": "33/10"}
-    return g.simulators(g.load("rod with a wrist"), start, epsilons=[], steps=[1e-2])
+    return g.simulators(g.load("rod with a wrist"), start, epsilons=[], steps=[1e-2], programs=[])
 
 
 def _wrong_sides() -> object:

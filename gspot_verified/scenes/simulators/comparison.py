@@ -22,6 +22,8 @@ from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators.contact_floats import ContactFloats, contact_floats
 from gspot_verified.scenes.simulators.moreau_jean import moreau_jean
 from gspot_verified.scenes.simulators.penalty import penalty
+from gspot_verified.scenes.simulators.planar_body import PlanarBody, planar_body
+from gspot_verified.scenes.simulators.programs import PROGRAMS, Installed, Program, installed
 from gspot_verified.scenes.simulators.simulated import (
     IMPULSE,
     LEAVES,
@@ -63,13 +65,17 @@ class SimulatorRun(NoTruthValue, Written):
 
 @dataclass(frozen=True)
 class SimulatorComparison(NoTruthValue, Written):
-    """The certified answer, and what each simulator says. The runs are floats: they prove nothing of the mechanism."""
+    """The certified answer, and what each simulator says. The runs are floats: they prove nothing of the mechanism.
+
+    ``notes``: which programs were not run, and why; how the model of one that was differs from the paper's.
+    """
 
     ask: ClassVar[str] = ".certified.verdict.outcome is what was proved"
-    written: ClassVar[str] = "certified runs"
+    written: ClassVar[str] = "certified runs notes"
 
     certified: Approach
     runs: tuple[SimulatorRun, ...]
+    notes: tuple[str, ...] = ()
 
     @property
     def exit_code(self) -> int:
@@ -87,7 +93,7 @@ class SimulatorComparison(NoTruthValue, Written):
         rows += [(r.simulator, r.settings, r.happened, _short(r.time), _short(r.slip), r.agrees) for r in self.runs]
         widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
         table = ["  " + "  ".join(word.ljust(w) for word, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-        return "\n".join([head, *table])
+        return "\n".join([head, *table, *(f"  {note}" for note in self.notes)])
 
 
 def _short(value: float | None) -> str:
@@ -103,20 +109,22 @@ def simulators(
     spot: int | None = None,
     epsilons: Sequence[ExactInput] = EPSILONS,
     steps: Sequence[float] = STEPS,
+    programs: Sequence[str] = PROGRAMS,
 ) -> SimulatorComparison:
     """What is certified to follow a state in slip (:func:`approach`), beside simulators and tables that you bring.
 
     Run are the paper's compliant contact by scipy for each of ``epsilons``, and Moreau's and Jean's steps for each
-    of ``steps`` (times the certified time), with both choices where a step has several solutions. ``files`` are CSV
-    tables of other simulators: a column t, one for each component of the state, and force where it is known. All
-    start in the state that is certified.
+    of ``steps`` (times the certified time), with both choices where a step has several solutions. Of ``programs`` those
+    that are installed are run with the same steps, where the mechanism is one rigid body. ``files`` are CSV tables of
+    other simulators: a column t, one for each component of the state, and force where it is known. All start in the
+    state that is certified.
 
     At a G-spot the certified side is the paper's statement as epsilon -> 0; a simulator with a contact of another
     kind need not obey it. No rigid contact leaves the surface before, for there rigid slip is certified to last.
 
     :raises StateError: the state is not one from which slip can be followed.
     :raises MechanismError: a mechanism without velocities or with parameters that have no value.
-    :raises ValueError: an epsilon that is no rational number in 1e-6..1.
+    :raises ValueError: an epsilon that is no rational number in 1e-6..1, or no name of a program.
     :raises SceneError: a table that cannot be read, or that begins at another time or in another state; nothing is
         certified of the state, or u < 0 and no velocity of the surface is given.
 
@@ -133,8 +141,15 @@ def simulators(
     for name, table in tables:
         judge.check_start(name, table)
     runs = [judge.run(*case) for case in judge.simulations(epsilons, steps)]
+    others = installed(programs) if steps else Installed((), ())
+    body, notes = None, list(others.missing)
+    if others.found:
+        body, why = judge.body()
+        notes += [f"{each.name}: {each.differs if body is not None else f'not run: {why}'}" for each in others.found]
+    if body is not None:
+        runs += [judge.run(*case) for each in others.found for case in judge.steps_of(each, body, steps)]
     runs += [judge.judged(name, "", table) for name, table in tables]
-    return SimulatorComparison(certified, tuple(runs))
+    return SimulatorComparison(certified, tuple(runs), tuple(notes))
 
 
 def _epsilon(value: ExactInput) -> float:
@@ -191,6 +206,23 @@ class _Judge:
                 raise SceneError(
                     f"{name}: the table begins with {word} = {value:.6g}, and the certified state has {wanted:.6g}"
                 )
+
+    def body(self) -> tuple[PlanarBody | None, str]:
+        """The mechanism as other programs know it, or why it cannot be told to them."""
+        if self.velocity:
+            return None, "the surface moves"
+        try:
+            return planar_body(self.functions, self.start), ""
+        except SceneError as error:
+            return None, str(error)
+
+    def steps_of(
+        self, program: Program, body: PlanarBody, steps: Sequence[float]
+    ) -> Iterator[tuple[str, str, Callable[[], Simulated]]]:
+        """As :meth:`simulations`, of another program."""
+        for step in steps:
+            for settings, motion in program.runs(body, step * self.time, _LATER * self.time):
+                yield f"{program.name} {program.version}", settings, motion
 
     def run(self, simulator: str, settings: str, motion: Callable[[], Simulated]) -> SimulatorRun:
         """One simulation; what it says when it gives up."""
