@@ -51,7 +51,10 @@ def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
     found = classify_g_spot(spot)
     where = f"{mechanism.name}, G-spot {number}"
     if found.case in (None, "none") or found.mean_force is None:
-        raise SceneError(f"{where}: no start before it: {found.what_happens}; slip comes to G-spots in Cases I to III")
+        raise SceneError(
+            f"{where}: no start before it: {found.what_happens}; slip comes to G-spots in Cases I to III "
+            "(classify_all lists the number and the Case of each)"
+        )
     slip = sign_of(ball(found.slip_velocity))
     if slip not in (1, -1):
         raise SceneError(
