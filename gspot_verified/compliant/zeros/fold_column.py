@@ -12,7 +12,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.patches.slow_patch import SlowPatch
 from gspot_verified.compliant.slow.slow_jet import slow_jet
-from gspot_verified.compliant.slow.slow_signs import SlowSigns
+from gspot_verified.compliant.slow.slow_signs import CELL, SlowSigns
 from gspot_verified.compliant.zeros.polynomial_zeros import number_at_integer
 from gspot_verified.compliant.zeros.slow_zero_column import MAP_REACH, left_end, right_end, tails
 from gspot_verified.numbers.balls import approximate
@@ -58,7 +58,10 @@ def fold_column(
             continue
         for tail in tails(lower, n):
             right = right_end(signs, n, tail, MAP_REACH, along)
-            if right is None or right < end:
+            if right is not None and right < end:  # the tail serves from a later place on where that is certain, too
+                later = (end / CELL).ceil() * CELL
+                right = later if signs.changes(later, n) == tail else None
+            if right is None:
                 continue
             before = cover(signs, min(left, begin), begin, least, along) if left < begin else ()
             after = cover(signs, end, right, least, along) if before is not None else None

@@ -41,6 +41,14 @@ def test_two_columns_for_a_range_of_epsilon_against_points() -> None:
 
 
 @pytest.mark.slow
+def test_a_fold_beyond_the_beginning_of_the_tail() -> None:
+    """The fold that leaves (9, 0) passes beta = 7 at epsilon = 17.55: there it reaches into the tail on the right."""
+    found = examine(fmpq(7167, 1024), fmpq(7), epsilon_lower=fmpq(970299, 62500), epsilon_upper=fmpq(281216, 15625))
+    assert found is not None
+    assert [piece.kind for piece in found.pieces].count(Kind.FOLD) == 1
+
+
+@pytest.mark.slow
 def test_the_fold_for_all_small_epsilon() -> None:
     """For 0 < epsilon <= 1/1000 at once: three zeros, and one beyond the fold next to beta = 6."""
     found = zero_map("47/8..6", "0..1/1000")
