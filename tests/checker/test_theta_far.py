@@ -34,9 +34,7 @@ def test_a_sign_at_one_beta_is_verified(
     assert sum(work) < 2 * 10**9
 
 
-@pytest.mark.parametrize(
-    "n", [199, pytest.param(150, marks=pytest.mark.slow), pytest.param(100, marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("n", [199, pytest.param(100, marks=pytest.mark.slow)])
 def test_a_whole_cell_on_the_left_is_verified(n: int, work: list[int]) -> None:
     text = check.main.check_text(sign_certificate((fmpq(-200), fmpq(-199)), (fmpq(n), fmpq(n + 1))))
     assert text == f"dΘ/dτ < 0 for every τ in (-200, -199) and every β in ({n}, {n + 1})"
@@ -44,7 +42,7 @@ def test_a_whole_cell_on_the_left_is_verified(n: int, work: list[int]) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("n", [199, 150, 100])
+@pytest.mark.parametrize("n", [199])
 def test_a_whole_cell_on_a_wide_range_is_verified(n: int) -> None:
     assert check.main.check_text(sign_certificate((fmpq(-200), fmpq(-151)), (fmpq(n), fmpq(n + 1)))).startswith(
         "dΘ/dτ < 0"

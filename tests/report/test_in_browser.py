@@ -7,7 +7,6 @@ import subprocess
 
 import pytest
 
-from gspot_verified.paper.verify import verify_paper
 from gspot_verified.report import write
 from gspot_verified.report.parts.new_results import new_results
 
@@ -90,11 +89,11 @@ def examined(folder, width):
 
 
 @pytest.fixture(scope="module")
-def folder(pictures, certificates, hard, tmp_path_factory):
+def folder(pictures, certificates, hard, whole_ledger, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(write, "computed", lambda *_: (pictures, certificates, hard))
         folder = tmp_path_factory.mktemp("browser") / "report"
-        write.write_report(verify_paper(), folder)
+        write.write_report(whole_ledger, folder)
         return folder
 
 
