@@ -42,7 +42,7 @@ def _strong_stable() -> Entry:
     return settled(
         "Section 4.5",
         "1-strong-stable",
-        "lines 1275 to 1278",
+        "lines 1278 to 1281",
         r"\alpha_2p=(\alpha_1-\alpha_3)b",
         "Cases I and II, Gspot1 and Gspot2: the distinguished trajectory α_2 p = (α_1 - α_3) b is the strong stable "
         "manifold of the G-spot",
