@@ -40,10 +40,12 @@ RESTRICTIONS = {
     "fixed τ with dΘ/dτ not 0": r"dΘ/dτ is not 0|τ = O\(1\)|at a fixed τ",
     "half-line|each ε_0 at leading order": "τ_0",
     "defined for p < 0 too": "p < 0|p = 0 is reached",
+    r"runs of Figure \d": r"\bruns?\b|start|Figure|[Pp]anel",
+    "ansatz": "ansatz",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
 """What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""
-AMONG = {"(?:some|one) series": "ε <=|10\\^-6"}
+AMONG = {"(?:some|one) series": "ε <=|10\\^-6", "chosen parameters": "chosen parameters"}
 """What a refuted statement says that there is, and the words by which its claim says among what it was looked for."""
 ELSEWHERE = {("3-case-II", 77), ("3-case-II", 366), ("4-unique-smooth", 808), ("2-trivial-zy", 1054)}
 """Refuted entries with claims in other lines that say the same: an error of one line refutes no other one by itself."""
@@ -84,6 +86,7 @@ def test_every_named_entry_exists_and_every_entry_is_named():
 
 def test_lines_are_those_of_the_source(source):
     for claim in paper_claims():
+        assert claim.begins, claim
         assert source[claim.first - 1].strip().startswith(claim.begins), claim
         assert claim.last <= len(source)
 
@@ -219,6 +222,9 @@ def test_a_refuted_claim_that_there_is_something_says_among_what(whole_ledger: l
         ("an impact occurs", "ε below an ε_0", "on every half-line [τ_0, ∞), for ε below an ε_0", False),
         ("an impact occurs", "from τ_0 on, ε below an ε_0", "on every half-line [τ_0, ∞), for ε below an ε_0", True),
         ("it is defined for p > 0 alone", "", "its formulas are defined for p < 0 too", False),
+        ("y diverges", "", "runs of Figure 6 other than ν = 1: y diverges", False),
+        ("y diverges", "in the runs of Figure 7", "runs of Figure 6 other than ν = 1: y diverges", True),
+        ("b on the outer scale", "", "the exponent of the ansatz is β", False),
         ("every state reaches it", "", "the state p = 1 reaches it", False),
         ("every state reaches it", "", "every initial value reaches it", True),
         ("every state reaches it", "", "every initial value reaches it, for constant α's", False),

@@ -50,9 +50,10 @@ def _attribution() -> Entry:
         "6-attribution",
         SOURCES,
         r"\text{a frictional impact oscillator proposed by [leine2008]}",
-        "The oscillator was proposed in the work that line 2097 cites",
+        "Lines 108, 121 and 2097 cite one work as that in which the oscillator was studied first, and proposed",
         *(held_against(SOURCES, f"line 2097 and {where}", HERE, place) for where, place in ELSEWHERE.items()),
         corrected="One work is cited in all three places; lines 108 and 121 name the one of 2002",
+        note="By the keys of the citations: the source holds no bibliography.",
     )
 
 
@@ -177,7 +178,8 @@ def _any_beta() -> Entry:
         "6-any-beta",
         "lines 2156 to 2165, 2184 to 2185",
         r"\beta\ \text{may take any desired value}",
-        "The oscillator of two springs and two dampers (no negative constant) may have any β > 0, in some Case",
+        "With the chosen parameters, but no negative constant of a spring or a damper, the oscillator may have any "
+        "β > 0, in some Case",
         Check(
             Rung.EXACT,
             "c_ψ = 25/108 (18 - 7β) m_1 sqrt(g/l) of line 2160",
@@ -190,7 +192,7 @@ def _any_beta() -> Entry:
             mended(*map(has_a_case, forms)),
             "α_2 > 0 and α_3 < α_1 < 0: none of the three Cases",
         ),
-        corrected="0 < β <= 18/7, as the constants of springs and dampers are not negative",
+        corrected="0 < β <= 18/7 with the chosen parameters, as the constants of springs and dampers are not negative",
         note="With a damper and a spring of negative constants every β can be had: 6-classes.",
     )
 
