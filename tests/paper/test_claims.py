@@ -179,6 +179,15 @@ def test_a_refuted_claim_is_where_its_error_is(whole_ledger: list[Entry]) -> Non
     assert {(entry.identifier, claim.first) for entry, claim in pairs if apart(claim, entry)} == ELSEWHERE
 
 
+def test_an_entry_is_named_by_a_claim_of_its_lines(whole_ledger: list[Entry]) -> None:
+    """What an entry quotes is what it speaks of."""
+    quoting = [entry for entry in whole_ledger if entry.cited.quotations]
+    assert len(quoting) > 200
+    claims = paper_claims()
+    lost = [e.identifier for e in quoting if all(apart(c, e) for c in claims if e.identifier in c.entries)]
+    assert lost == []
+
+
 def test_a_refuted_claim_that_there_is_something_says_among_what(whole_ledger: list[Entry]) -> None:
     """None among these is less than none at all."""
     refuted = {entry.identifier: entry.statement for entry in whole_ledger if entry.verdict.outcome is Outcome.REFUTED}

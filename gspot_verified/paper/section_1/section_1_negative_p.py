@@ -285,7 +285,7 @@ def _laws() -> Entry:
     return settled(
         SECTION,
         "1-laws-of-impact",
-        "line 209",
+        "lines 209, 369 to 374",
         r"p\to0:\quad(v^+)^2\text{ by the energetic law over }(v^+)^2\text{ by Poisson's law}\to0",
         "For a rigid impact without collision, A, B, C, μ constant, p < 0, the energetic law of restitution and "
         "Poisson's differ in the limit p → 0: the quotient of the two squares of v at the end tends to 0",

@@ -50,7 +50,7 @@ def _attribution() -> Entry:
         "6-attribution",
         SOURCES,
         r"\text{a frictional impact oscillator proposed by [leine2008]}",
-        "Lines 108, 121 and 2097 cite one work as that in which the oscillator was studied first, and proposed",
+        "One work is cited in lines 108, 121 and 2097 as that in which the oscillator was studied first, and proposed",
         *(held_against(SOURCES, f"line 2097 and {where}", HERE, place) for where, place in ELSEWHERE.items()),
         corrected="One work is cited in all three places; lines 108 and 121 name the one of 2002",
         note="By the keys of the citations: the source holds no bibliography.",
