@@ -24,9 +24,8 @@ def test_from_a_state_it_speaks_of_the_model_system(capsys: pytest.CaptureFixtur
 def test_without_a_state_it_speaks_of_every_mechanism_and_names_no_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "--beta", "3/2")
     assert code == 0
-    assert output.startswith(
-        "proved: for every mechanism of Case III with p, b, y, v independent at its G-spot, beta = 3/2"
-    )
+    assert output.startswith("proved: for every mechanism of Case III with analytic functions, p, b, y, v independent ")
+    assert ", beta = 3/2 and " in output
     assert "there is an epsilon_0 > 0" in output
 
 

@@ -32,7 +32,8 @@ class LimitSide(NoTruthValue, Written):
     """What follows C_1 > 0 for every mechanism of Case III with this beta and this contact, for small epsilon.
 
     ``side``: "lift-off" or "impact" (without collision) for C_1 > 0, the other one for C_1 < 0, or None: undecided.
-    "For small epsilon": there is an epsilon_0 > 0 for every start; how large it is is not said.
+    "For small epsilon": there is an epsilon_0 > 0 for every start (and every force that an impact is to exceed); how
+    large it is is not said, nor that an impact is completed.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -64,7 +65,7 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
     if not number <= MAX_BETA:
         raise ValueError(f"beta must be at most {MAX_BETA}")
     Contact.of(springs)  # it has a damper
-    statement = _statement("Case III with p, b, y, v independent at its G-spot", number, springs)
+    statement = _statement("Case III with analytic functions, p, b, y, v independent at its G-spot", number, springs)
     rule = rule_of(number, springs)
     if rule is None:
         why = "the ball of beta holds an integer, or may hold one"
@@ -100,7 +101,7 @@ def limit_side_by_enclosures(
     """
     number, springs = checked_ratio(rational(beta, "beta")), Regularisation.of(*contact)
     start = ModelStart(number, fmpq(-1), fmpq(-1), springs, _PLACE, -2 * _PLACE / (number - 1), fmpq(0))  # C_1 < 0
-    statement = _statement("Case III with m = 4", number, springs)
+    statement = _statement("Case III with analytic functions and m = 4", number, springs)
     detail = ""
     with working_bits(BITS):
         trajectory = trajectory_of(start)
@@ -126,15 +127,16 @@ def _statement(mechanisms: str, beta: fmpq | arb, springs: Regularisation) -> st
     number = ball_text(beta) if isinstance(beta, arb) else str(beta)
     return (
         f"for every mechanism of {mechanisms}, beta = {number} and {contact_text(springs)}, and every family of "
-        "starts in contact that tends to a state of a rigid slip motion into the G-spot with C_1 != 0, with "
-        "y/epsilon^2, v/epsilon, lambda_N bounded and kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2 "
-        f"below b^2 in the limit, {Contact.of(springs).fast_text}, there is an epsilon_0 > 0 such that for every "
+        "starts in contact that tends to a state of a rigid slip motion into a G-spot with C_1 != 0, with "
+        "y/epsilon^2, v/epsilon, lambda_N bounded and the limsup of "
+        "(kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2)/b^2 below 1, "
+        f"{Contact.of(springs).fast_text}, and every force Lambda, there is an epsilon_0 > 0 such that for every "
         "0 < epsilon <= epsilon_0, as long as slip is positive, contact lasts until p < 0, and then"
     )
 
 
 def _by_sign(statement: str, side: str) -> str:
-    fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds every given force without it being lost"}
+    fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds Lambda without it being lost"}
     return f"{statement} {fates[side]} if C_1 > 0, {fates[OTHER[side]]} if C_1 < 0"
 
 

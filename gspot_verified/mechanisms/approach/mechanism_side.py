@@ -32,9 +32,10 @@ from gspot_verified.numbers.written import Written, under
 class MechanismSide(NoTruthValue, Written):
     """What the compliant mechanism does at the G-spot that slip from a state reaches, for small epsilon.
 
-    ``side``: "lift-off" (contact lasts until p < 0 and is then lost), "impact" (without collision: lambda_N exceeds
-    every given force without contact having been lost), or None: undecided, and ``verdict.detail`` says what is not
-    certain. "For small epsilon": there is an epsilon_0 > 0; it is not computed, and nothing is said of any one epsilon.
+    ``side``: "lift-off" (contact lasts until p < 0 and is then lost), "impact" (without collision: lambda_N exceeds a
+    given force without contact having been lost; that the impact is completed is not proved), or None: undecided, and
+    ``verdict.detail`` says what is not certain. "For small epsilon": there is an epsilon_0 > 0, in an impact for every
+    force; it is not computed, and nothing is said of any one epsilon.
     ``approach`` is what was proved for rigid slip, ``active`` names the components on which the contact depends.
     """
 
@@ -74,8 +75,9 @@ def mechanism_side(
     """Whether the mechanism with its compliant contact lifts off or takes an impact, for every small epsilon.
 
     The arguments are those of :func:`approach`, which proves that rigid slip from ``start`` reaches a G-spot and
-    encloses C_1. Proved with it: there is an epsilon_0 > 0 such that for every 0 < epsilon <= epsilon_0 the compliant
-    motion from next to this state keeps contact and slip until p < 0, and what follows then. Case III, beta > 1 in a
+    encloses C_1. Proved with it, for every family of starts that tends to this state as the statement says: there is an
+    epsilon_0 > 0 such that for every 0 < epsilon <= epsilon_0 the compliant motion keeps contact and slip until p < 0,
+    and what follows then. Case III, beta > 1 in a
     ball without an integer, p, b, y, v independent at the G-spot. No slow manifold is assumed.
 
     :raises StateError: the state is not on the contact, p <= 0, b >= 0, or slip is not positive there.
@@ -96,7 +98,7 @@ def mechanism_side(
         verdict = Verdict.undecided(f"{whole} lift-off or impact", outcome.reason, outcome.why)
         return MechanismSide(found, names, None, verdict)
     side, evidence = outcome
-    ends = {"lift-off": "contact is lost", "impact": "lambda_N exceeds every given force without contact being lost"}
+    ends = {"lift-off": "contact is lost", "impact": "lambda_N exceeds Lambda without contact being lost"}
     return MechanismSide(found, names, side, Verdict.proved(f"{whole} {ends[side]}", evidence))
 
 
@@ -111,23 +113,27 @@ class _Open:
 def _statement(mechanism: Mechanism, found: Approach) -> str:
     springs = mechanism.regularisation
     state = ", ".join(f"{word} = {value}" for word, value in found.start)
-    surface = " on any surface slower than u on the whole way" if found.surface_velocity is None else ""
+    surface = (
+        " on any surface whose constant velocity is below u on the whole way, the G-spot included"
+        if found.surface_velocity is None
+        else ""
+    )
     if found.surface_velocity not in (None, "0"):
         surface = f" on a surface with the velocity {found.surface_velocity}"
     below = ""
     if springs.c > 0:
         contact = Contact.of(springs)
         below = (
-            ", kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + "
-            "(g^2/l) p (lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon)^2 "
-            f"below b^2 in the limit, kappa = {contact.kappa}, g = {contact.rate}, l = {contact.lag} (0 at rest in the "
+            " and the limsup of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + "
+            "(g^2/l) p (lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon)^2)/b^2 below 1, "
+            f"kappa = {contact.kappa}, g = {contact.rate}, l = {contact.lag} (it is 0 at rest in the "
             "contact: v = 0, lambda_N = -b/p, y = -epsilon^2 lambda_N/kappa)"
         )
     return (
         f"{mechanism.name} with {contact_text(springs)}{surface}: for every family of starts in contact that tends to "
-        f"{state} as epsilon -> 0, with y/epsilon^2, v/epsilon, lambda_N bounded{below}, there is an epsilon_0 > 0 "
-        "such that for every 0 < epsilon <= epsilon_0 contact and positive slip last until p < 0, and then, in "
-        "positive slip,"
+        f"{state}, on the contact, as epsilon -> 0, with y/epsilon^2, v/epsilon, lambda_N bounded{below}, and every "
+        "force Lambda, there is an epsilon_0 > 0 such that for every 0 < epsilon <= epsilon_0 contact and positive "
+        "slip last until p < 0, and then, in positive slip,"
     )
 
 

@@ -34,8 +34,10 @@ def test_it_is_the_papers_rule(beta: str) -> None:
     for found in (limit_side(beta), limit_side_by_enclosures(beta)):
         assert found.verdict.outcome is Outcome.PROVED
         assert found.side == {1: "impact", -1: "lift-off"}[gamma_sign(found.beta)]
-        first = "lambda_N exceeds every given force" if found.side == "impact" else "it is lost"
-        assert f"{first}" in found.verdict.statement.split(" if C_1 > 0")[0]
+        first = "lambda_N exceeds Lambda" if found.side == "impact" else "it is lost"
+        words = found.verdict.statement
+        assert first in words.split(" if C_1 > 0")[0]
+        assert words.index("every force Lambda,") < words.index("there is an epsilon_0"), "one epsilon_0 for each force"
 
 
 @pytest.mark.slow
@@ -89,7 +91,7 @@ def test_the_sentence_names_the_fast_part_of_the_starts() -> None:
     """Theorem Q needs |X| < p Lambda = -b in the limit: a start that oscillates more may lift off at once."""
     statement = limit_side("3/2", contact=(1, 3, 2)).verdict.statement
     assert "y/epsilon^2, v/epsilon, lambda_N bounded" in statement
-    fast = "kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2 below b^2 in the limit"
+    fast = "the limsup of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2)/b^2 below 1, "
     assert fast in statement
     assert "phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 3/4, g = 2, l = 9/4" in statement
 

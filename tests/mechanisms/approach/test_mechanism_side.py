@@ -151,10 +151,12 @@ def test_p_b_y_v_must_be_independent(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_statement_says_what_moves_and_which_starts_it_covers(monkeypatch: pytest.MonkeyPatch) -> None:
     below = "kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p (lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon)^2"
     at_rest = with_approach(monkeypatch).verdict.statement
-    assert f"{below} below b^2 in the limit, kappa = 1/2, g = 2, l = 1/2" in at_rest
+    assert f"the limsup of ({below})/b^2 below 1, kappa = 1/2, g = 2, l = 1/2" in at_rest
+    assert at_rest.index("every force Lambda,") < at_rest.index("there is an epsilon_0"), "one epsilon_0 for each force"
     assert "surface" not in at_rest
     assert "on a surface with the velocity -1" in with_approach(monkeypatch, surface_velocity="-1").verdict.statement
-    assert "slower than u on the whole way" in with_approach(monkeypatch, surface_velocity=None).verdict.statement
+    words = with_approach(monkeypatch, surface_velocity=None).verdict.statement
+    assert "whose constant velocity is below u on the whole way, the G-spot included" in words
 
 
 @pytest.mark.parametrize(
