@@ -14,11 +14,12 @@ from itertools import permutations
 from typing import Any
 
 from intervals import Box, Numbers, add
-from limits import reject, require
+from limits import Meter, digits, reject, require
 from model import Event, Polynomial, number, read_numbers, short, state
 from reading import entries
 
 LENGTH, COORDINATES = 1_000, 4  # characters of a formula; how many coordinates
+PAIR = 60  # operations of the interpreter for a term of a product that is made, differentiated and kept
 NAME = "[A-Za-z][A-Za-z0-9_]{0,39}"
 EFFECTS = ("belt", "compliant_contact", "lift_off", "stick", "tangential_motion")
 Y, V, Z, INVERSE, SLIDE = "y/eps^2", "v/eps", "z/eps^2", "1/det M", "1/A det M"  # states beside those of the mechanism
@@ -57,16 +58,25 @@ def adjugate(rows: Sequence[Sequence[Polynomial]]) -> list[list[Polynomial]]:
     return [[number((-1) ** (i + j)) * determinant(minors[i][j]) for j in n] for i in n]
 
 
-def put_in(function: Polynomial, table: Mapping[str, Polynomial]) -> Polynomial:
-    """The function with polynomials in the places of some names."""
-    found = Polynomial()
+def put_in(function: Polynomial, table: Mapping[str, Polynomial], meter: Meter) -> Polynomial:
+    """The function with polynomials in the places of some names: its terms can become very many, so they are paid."""
+    found, lengths = Polynomial(), {name: longest_number(each) for name, each in table.items()}
     for key, value in function.items():
         product = Polynomial({tuple(name for name in key if name not in table): value})
+        meter.spend(0, PAIR)
         for name in key:
             if name in table:
+                pairs = len(product) * len(table[name])
+                meter.spend(pairs * 8 * (longest_number(product) + lengths[name]) ** 2, pairs * PAIR)
                 product = product * table[name]
-        found += product
+        for name, share in product.items():
+            found.take(name, share)
     return found
+
+
+def longest_number(function: Polynomial) -> int:
+    """The length of its longest coefficient, in digits."""
+    return max((digits(value.numerator, value.denominator) for value in function.values()), default=1)
 
 
 def names_of(functions: Sequence[Polynomial]) -> set[str]:
@@ -159,7 +169,9 @@ class Mechanism:
 class MechanismScene:
     """What is simulated: the mechanism, effects, ε, the end of the time, the contact, the start; all of it exact."""
 
-    def __init__(self, mechanism: Any, effects: Any, epsilon: Any, until: Any, parameters: Any, start: Any) -> None:
+    def __init__(
+        self, mechanism: Any, effects: Any, epsilon: Any, until: Any, parameters: Any, start: Any, meter: Meter
+    ) -> None:
         known = isinstance(effects, list) and all(isinstance(name, str) and name in EFFECTS for name in effects)
         require(known and sorted(set(effects)) == effects, "the effects are not some of those known, in order")
         require("compliant_contact" in effects, "the contact is not compliant")
@@ -174,7 +186,7 @@ class MechanismScene:
         require(min(self.of.values()) > 0, "a stiffness or the damping is not > 0")
         self.mechanism = Mechanism(mechanism)
         phases = ["slip", *["flight"] * self.lifts, *["stick", "reverse slip"] * self.sticks]
-        motions = {phase: Motion(self, phase) for phase in phases}
+        motions = {phase: Motion(self, phase, meter) for phase in phases}
         self.kept = self.needed([(each.rates, names_of(each.functions.values())) for each in motions.values()])
         self.systems = {phase: MechanismSystem(self, motion) for phase, motion in motions.items()}
         for motion in motions.values():
@@ -270,7 +282,8 @@ class MechanismScene:
 
     def seen(self) -> list[str]:
         """What is seen to hold of the effects that are left out, or is assumed (left_out_effects.md)."""
-        found = ["λ_N > 0 all along, as leaving an effect out assumes"] * (not self.lifts)
+        after = " after the start, where it is 0" * (self.start["z"] == self.start["y"])
+        found = [f"λ_N > 0 all along{after}, as leaving an effect out assumes"] * (not self.lifts)
         found += ["u > 0 in contact all along, as leaving an effect out assumes"] * (self.follows and not self.sticks)
         return found + ["provided that in contact slip is positive, which is not shown"] * (not self.follows)
 
@@ -282,7 +295,7 @@ class Motion:
     is one, as in stick.
     """
 
-    def __init__(self, scene: MechanismScene, phase: str) -> None:
+    def __init__(self, scene: MechanismScene, phase: str, meter: Meter) -> None:
         m, c, eps = scene.mechanism, scene.of, number(scene.epsilon)
         dots = [state(f"{q}_dot") for q in m.coordinates]
         table = m.normal(eps)
@@ -323,10 +336,10 @@ class Motion:
             functions[FORWARDS] = number(m.mu) * A * force - still
             functions[BACKWARDS] = number(m.mu) * A * force + still
         self.solved = table
-        self.rates = {name: put_in(rate, table) for name, rate in rates.items()}
-        self.functions = {name: put_in(function, table) for name, function in functions.items()}
-        self.minors = [put_in(minor, table) for minor in m.minors]
-        self.divisor = put_in(self.divisor, table)
+        self.rates = {name: put_in(rate, table, meter) for name, rate in rates.items()}
+        self.functions = {name: put_in(function, table, meter) for name, function in functions.items()}
+        self.minors = [put_in(minor, table, meter) for minor in m.minors]
+        self.divisor = put_in(self.divisor, table, meter)
 
 
 class MechanismSystem:

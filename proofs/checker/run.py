@@ -13,13 +13,13 @@ any producer may have chosen. No radius is believed: each follows from the start
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from intervals import Box, Interval, Matrix, Numbers, add, root_up, size, up, wider
-from limits import Limits, Meter, reject, require
+from limits import Limits, Meter, digits, reject, require
 from mechanism import MechanismScene, MechanismSystem
 from model import Event, Polynomial, Scene, System, number, state
 from reading import entries, rational, read_line
@@ -129,7 +129,10 @@ class Curve:
         found = []
         for name in self.names:
             f, multiple = rates[name], self.numbers.multiple
-            common = math.lcm(*(value.denominator for value in f.values()))
+            common = 1
+            for value in f.values():
+                self.numbers.meter.spend(2 * digits(common) * digits(value.denominator), 2)
+                common = math.lcm(common, value.denominator)
             slope = [k * v for k, v in enumerate(self.x[name])][1:]
             terms, rest = [multiple(-common << self.numbers.bits, slope)], 0
             for key, value in f.items():
@@ -414,13 +417,13 @@ def check_run(hypotheses: Any, statement: Any, lines: Sequence[bytes], limits: L
     require(hypotheses == HYPOTHESES, "the pages are not those of a run")
     kind = statement.get("kind") if isinstance(statement, dict) else None
     require(kind in ("run", "run of a mechanism"), "unknown kind of statement")
-    made: Callable[..., Scene | MechanismScene] = Scene if kind == "run" else MechanismScene
     names = ("effects", "epsilon", "until", "parameters", "start", "events", "end", "kind")
     *scene, events, end, _ = entries(statement, "the statement", *["mechanism"] * (kind != "run"), *names)
     rest = iter(lines)
     (bits,) = entries(read_line(next(rest, b"null")), "the line after the first", "bits")
     require(type(bits) is int and bits in BITS, "the number of bits")
-    run = Run(made(*scene), Numbers(bits, Meter(limits, limits.work * WORK + WORK_PER_BYTE * length)), rest)
+    meter = Meter(limits, limits.work * WORK + WORK_PER_BYTE * length)
+    run = Run(Scene(*scene) if kind == "run" else MechanismScene(*scene, meter), Numbers(bits, meter), rest)
     run.follow()
     require(next(rest, None) is None, "lines are left")
     return run.statement(events, end)

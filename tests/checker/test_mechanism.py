@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from itertools import combinations_with_replacement
 from typing import Any
 
 import pytest
@@ -30,6 +31,10 @@ SCALED = {"Y": mechanism.Y, "V": mechanism.V, "Z": mechanism.Z}
 KEYS = ("mechanism", "effects", "epsilon", "until", "parameters", "start")
 
 
+def scene_of(*given: Any) -> Any:
+    return mechanism.MechanismScene(*given, limits.Meter(limits.Limits(), 10**9))
+
+
 def checkers(scene: Scene) -> Any:
     """The scene as the checker reads it."""
     assert scene.mechanism is not None
@@ -37,7 +42,7 @@ def checkers(scene: Scene) -> Any:
     values = {name: str(scene.values()[name]) for name in ("damping", "k_1", "k_2")}
     start = {polynomials.place.get(name, name): str(value) for name, value in scene.initial().items()}
     effects = sorted(scene.effects)
-    return mechanism.MechanismScene(polynomials.given, effects, str(scene.epsilon), str(scene.until), values, start)
+    return scene_of(polynomials.given, effects, str(scene.epsilon), str(scene.until), values, start)
 
 
 def at_balls(polynomial: Any, at: dict[str, arb]) -> arb:
@@ -115,7 +120,7 @@ def statement() -> dict[str, Any]:
 )  # fmt: skip
 def test_a_scene_that_is_none(change: dict[str, Any], why: str) -> None:
     with pytest.raises(limits.Rejected, match=why):
-        mechanism.MechanismScene(*((statement() | change)[key] for key in KEYS))
+        scene_of(*((statement() | change)[key] for key in KEYS))
 
 
 @pytest.mark.parametrize(
@@ -143,7 +148,7 @@ def test_a_mechanism_that_is_none(change: dict[str, Any], why: str) -> None:
     given = statement()
     scene = given | {"mechanism": given["mechanism"] | change}
     with pytest.raises(limits.Rejected, match=why):
-        mechanism.MechanismScene(*(scene[key] for key in KEYS))
+        scene_of(*(scene[key] for key in KEYS))
 
 
 def test_a_velocity_that_nothing_sees_may_end_to_exist() -> None:
@@ -156,13 +161,13 @@ def test_a_velocity_that_nothing_sees_may_end_to_exist() -> None:
         "start": start,
     }
     with pytest.raises(limits.Rejected, match="may be one that ends to exist"):
-        mechanism.MechanismScene(*(scene[key] for key in KEYS))
+        scene_of(*(scene[key] for key in KEYS))
 
 
 def test_masses_are_positive_at_the_start() -> None:
     given = statement()
     rows = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "-1/3"]]
-    scene = mechanism.MechanismScene(
+    scene = scene_of(
         *((given | {"mechanism": given["mechanism"] | {"mass_matrix": rows}})[key] for key in KEYS)
     )
     numbers = intervals.Numbers(128, limits.Meter(limits.Limits(), 10**9))
@@ -179,6 +184,28 @@ def test_many_terms_end_soon() -> None:
              "x": "1*sin(a)", "y": "1*d"}  # fmt: skip
     with pytest.raises(limits.Rejected, match="a product of two polynomials has too many terms"):
         mechanism.Mechanism(given)
+
+
+def test_what_terms_become_is_paid() -> None:
+    """A velocity that stands for 29 terms, twice in each of 45 terms of a force."""
+    names = ["sin(a)", "cos(a)", "sin(b)", "cos(b)", "sin(c)", "cos(c)", "a", "b", "c"]
+    pairs = list(combinations_with_replacement(names, 2))
+    force = " + ".join(f"{i + 2}*{'*'.join(pairs[i * 7 % 45])}*d_dot*d_dot" for i in range(30))
+    given = {"angles": {}, "coordinates": ["a", "b", "c", "d"], "forces": [force] * 4, "mu": "1", "x": "1*a",
+             "mass_matrix": [["1" if i == j else "0" for j in range(4)] for i in range(4)],
+             "y": " + ".join(["1*d", *(f"{i + 2}*{'*'.join(pairs[i * 5 % 45])}" for i in range(14))])}  # fmt: skip
+    lines = runs.rod()
+    lines[0]["statement"]["mechanism"] = given
+    assert "out of the checker's range: the limit work" in runs.verdict(lines[:2])
+
+
+@pytest.mark.parametrize("z", ["0", "1/1000"])
+def test_a_force_that_is_0_at_the_start_is_not_said_to_be_positive(z: str) -> None:
+    given = statement()
+    scene = given | {"effects": ["compliant_contact", "tangential_motion"], "start": given["start"] | {"z": z}}
+    begins = " after the start, where it is 0" * (z == "0")
+    said = scene_of(*(scene[key] for key in KEYS)).seen()[0]
+    assert said == f"λ_N > 0 all along{begins}, as leaving an effect out assumes"
 
 
 def test_the_start_is_on_the_circle() -> None:
@@ -200,7 +227,7 @@ def test_order_of_contact_at_the_start() -> None:
     given = statement()
     numbers = intervals.Numbers(128, limits.Meter(limits.Limits(), 10**9))
     for start, order in (({}, ("lift-off", 2)), ({"v": "-1/10"}, ("lift-off", 1)), ({"y": "-1/100"}, ("", 0))):
-        scene = mechanism.MechanismScene(*((given | {"start": given["start"] | start})[key] for key in KEYS))
+        scene = scene_of(*((given | {"start": given["start"] | start})[key] for key in KEYS))
         assert scene.begin(scene.first_box(numbers), numbers) == ("slip", *order)
 
 

@@ -54,7 +54,7 @@ def test_effects_that_are_left_out() -> None:
         drop=("stick", "lift_off", "tangential_motion")
     )
     said = said_of(scene)
-    assert "; λ_N > 0 all along, as leaving an effect out assumes; " in said
+    assert "; λ_N > 0 all along after the start, where it is 0, as leaving an effect out assumes; " in said
     assert said.endswith("; u > 0 in contact all along, as leaving an effect out assumes")
 
 
