@@ -21,6 +21,7 @@ from reading import entries
 LENGTH, COORDINATES = 1_000, 4  # characters of a formula; how many coordinates
 PAIR = 60  # operations of the interpreter for a term of a product that is made, differentiated and kept
 NAME = "[A-Za-z][A-Za-z0-9_]{0,39}"
+TAKEN = ("M", "T", "damping", "f", "k_1", "k_2", "t", "u", "v", "x", "y", "z")  # names of other things in the statement
 EFFECTS = ("belt", "compliant_contact", "lift_off", "stick", "tangential_motion")
 Y, V, Z, INVERSE, SLIDE = "y/eps^2", "v/eps", "z/eps^2", "1/det M", "1/A det M"  # states beside those of the mechanism
 LIFT, TOUCH, STICK, FORWARDS, BACKWARDS = "lift-off", "touch-down", "stick", "slip forwards", "slip backwards"
@@ -97,7 +98,7 @@ class Mechanism:
         require(isinstance(coordinates, list) and 1 <= len(coordinates) <= COORDINATES, "the number of coordinates")
         for q in coordinates:
             plain = isinstance(q, str) and re.fullmatch(NAME, q) and not q.endswith(("_dot", "_ref"))
-            require(plain and q not in ("T", "v", "y", "z"), f"{q!a:.50} is no name of a coordinate")
+            require(plain and q not in TAKEN, f"{q!a:.50} is no name of a coordinate")
         require(len(set(coordinates)) == len(coordinates), "two coordinates have one name")
         require(isinstance(angles, dict) and set(angles) <= set(coordinates), "the angles are not coordinates")
         self.references = dict.fromkeys(coordinates, (Fraction(0), Fraction(1)))

@@ -123,6 +123,14 @@ def test_a_scene_that_is_none(change: dict[str, Any], why: str) -> None:
         scene_of(*((statement() | change)[key] for key in KEYS))
 
 
+@pytest.mark.parametrize("name", ["M", "T", "damping", "f", "k_1", "k_2", "t", "u", "v", "x", "y", "z"])
+def test_a_coordinate_with_a_name_that_the_statement_has_for_something_else(name: str) -> None:
+    """Whoever reads "f = (..., -1*x), x = 1*X" would take the contact's x for the coordinate."""
+    given = {"coordinates": ["X", "Y", name], "angles": {}, "x": "1*X"}
+    with pytest.raises(limits.Rejected, match="no name of a coordinate"):
+        mechanism.Mechanism(statement()["mechanism"] | given)
+
+
 @pytest.mark.parametrize(
     ("change", "why"),
     [
@@ -167,9 +175,7 @@ def test_a_velocity_that_nothing_sees_may_end_to_exist() -> None:
 def test_masses_are_positive_at_the_start() -> None:
     given = statement()
     rows = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "-1/3"]]
-    scene = scene_of(
-        *((given | {"mechanism": given["mechanism"] | {"mass_matrix": rows}})[key] for key in KEYS)
-    )
+    scene = scene_of(*((given | {"mechanism": given["mechanism"] | {"mass_matrix": rows}})[key] for key in KEYS))
     numbers = intervals.Numbers(128, limits.Meter(limits.Limits(), 10**9))
     with pytest.raises(limits.Rejected, match="not certainly positive definite"):
         scene.first_box(numbers)
