@@ -20,7 +20,7 @@ from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep
 from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan
 from gspot_verified.numbers.balls import ball, series_length
-from gspot_verified.scenes.certificates.bounded_step import grid
+from gspot_verified.scenes.certificates.bounded_step import NotBounded, grid
 from gspot_verified.scenes.certificates.polynomial_mechanism import (
     INVERSE,
     SCALED,
@@ -40,6 +40,7 @@ from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, STICK
 from gspot_verified.scenes.scene.scene import Scene
 
 _BASIS_BITS = 53  # of the entries of a basis
+_BELOW_UNIT = 100  # bits: below the unit of the coefficients by that much a basis holds noise
 BELT = "belt"
 _SERIES = 2  # times the length of the run's polynomials: those of sines and divisors
 
@@ -116,7 +117,7 @@ class MechanismPhase:
     """One phase for the states that are kept: those of the run first, then sines, cosines and divisors."""
 
     def __init__(self, equations: MechanismEquations, name: str) -> None:
-        self._equations, self._phase = equations, equations.phases[name]
+        self._equations, self._phase, self._name = equations, equations.phases[name], name
         m = equations.mechanism
         self._run_names = equations.run_names(name)
         kept = equations.kept - ({SLIDE} if self._phase.divisor.is_zero() else set())
@@ -139,7 +140,9 @@ class MechanismPhase:
 
     def event(self, name: str) -> Callable[[Sequence[Any]], Any]:
         """The function of an event."""
-        function = self._phase.functions[name]
+        function = self._phase.functions.get(name)
+        if function is None:
+            raise NotBounded(f"certificates of runs do not cover {name} right after {self._name}")
         return lambda states: self._equations.value(function, dict(zip(self.names, states, strict=True)))
 
     def chosen(self, step: ChosenStep, unit: int) -> ChosenStep:
@@ -148,7 +151,7 @@ class MechanismPhase:
         curves = self._curves(step, length)
         solution = tuple(_cut(curves[name].coeffs(), unit) for name in self.names)
         bases = tuple(
-            self._basis(basis, [p(((a + b) / 2).mid()).mid() for p in solution])
+            self._basis(basis, [p(((a + b) / 2).mid()).mid() for p in solution], unit + _BELOW_UNIT)
             for basis, (a, b) in zip(step.plan.bases, pairwise(step.plan.ends), strict=True)
         )
         degrees = self.field.degrees([max(p.degree(), 0) for p in solution])
@@ -174,8 +177,9 @@ class MechanismPhase:
         of = {INVERSE: m.put_in(m.minors()[-1], m.normal(equations.epsilon)), SLIDE: self._phase.divisor}
         return {name: divisor for name, divisor in of.items() if name in self.names}
 
-    def _basis(self, basis: Basis, at: Sequence[arb]) -> Basis:
-        """The columns of the run's basis with what they move, and a direction for each other error."""
+    def _basis(self, basis: Basis, at: Sequence[arb], unit: int) -> Basis:
+        """The columns of the run's basis with what they move, and a direction for each other error; multiples of
+        2^-unit."""
         m, values = self._equations.mechanism, dict(zip(self.names, at, strict=True))
         moved: dict[str, dict[str, arb]] = {}  # by what a state of the run moves it
         more: list[dict[str, arb]] = []
@@ -200,7 +204,7 @@ class MechanismPhase:
             columns = [
                 sum((share * rows[state][j] for state, share in shares.items()), arb(0)) for j in range(len(rows))
             ]
-            table.append([_rounded(entry) for entry in (*columns, *(each.get(name, arb(0)) for each in more))])
+            table.append([_rounded(entry, unit) for entry in (*columns, *(each.get(name, arb(0)) for each in more))])
         return Basis(arb_mat(table), (*basis.blocks, *[1] * len(more)))
 
 
@@ -210,9 +214,9 @@ def _cut(coefficients: Sequence[arb], unit: int) -> arb_poly:
     return arb_poly([arb((grid(arb(c.mid() + half).mid(), unit), -unit)) for c in coefficients])
 
 
-def _rounded(value: arb) -> arb:
+def _rounded(value: arb, unit: int) -> arb:
     mantissa, exponent = map(int, value.mid().man_exp())
-    excess = max(0, mantissa.bit_length() - _BASIS_BITS)
+    excess = max(0, mantissa.bit_length() - _BASIS_BITS, -unit - exponent)
     return arb((mantissa >> excess, exponent + excess))
 
 

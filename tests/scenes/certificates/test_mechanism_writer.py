@@ -7,11 +7,14 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from must_reject import runs
 
 from gspot_verified.mechanisms.load import load
+from gspot_verified.scenes.certificates.bounded_step import NotBounded
+from gspot_verified.scenes.certificates.mechanism_writer import MechanismEquations, MechanismPhase
 from gspot_verified.scenes.certificates.polynomial_mechanism import NotPolynomial, PolynomialMechanism
 from gspot_verified.scenes.certificates.run_certificate import certified_with_steps
 from gspot_verified.scenes.certified_run import certified_run
@@ -63,6 +66,46 @@ def test_a_touch_down() -> None:
     said = said_of(load_scene("oscillator", epsilon="1/1000", until="23/200"))
     assert "lift-off at t in [" in said
     assert "touch-down at t in [" in said
+
+
+COUPLED = """
+format = 1
+name = "coupled"
+[lagrangian]
+coordinates = ["X", "H", "th"]
+mass_matrix = [[1, 0, "sin(th)/8"], [0, 1, "cos(th)/8"], ["sin(th)/8", "cos(th)/8", "5/8"]]
+forces = ["-15/8", "-5/4", "3/8*cos(th)"]
+[contact]
+x = "X + 5/4*cos(th)"
+y = "H - 5/4*sin(th)"
+mu = "1/2"
+"""
+SCENE = """
+format = 1
+name = "coupled"
+mechanism = "coupled.toml"
+effects = ["compliant_contact", "lift_off", "stick", "tangential_motion"]
+epsilon = "1/10"
+until = "1/50"
+[start]
+th = "1/3"
+th_dot = "-3/8"
+X_dot = "1/2"
+"""
+
+
+def test_a_determinant_that_is_constant_but_for_a_sum_of_squares(tmp_path: Path) -> None:
+    """det M has sin² + cos², so its derivative is noise: what is below the checker's bits is not written."""
+    (tmp_path / "coupled.toml").write_text(COUPLED)
+    (tmp_path / "scene.toml").write_text(SCENE)
+    assert said_of(load_scene(tmp_path / "scene.toml")).startswith("VERIFIED")
+
+
+def test_a_slip_that_turns_at_once_has_no_certificate() -> None:
+    """At u = 0 friction may not hold the contact; sections 1a and 4 have no such change."""
+    phase = MechanismPhase(MechanismEquations(load_scene("rod")), "slip")
+    with pytest.raises(NotBounded, match="do not cover slip backwards right after slip"):
+        phase.event("slip backwards")
 
 
 @pytest.mark.parametrize(
