@@ -236,7 +236,7 @@ def _of_phases(lines: Lines) -> Iterator[tuple[str, Change]]:
 
 def _of_steps(lines: Lines) -> Iterator[tuple[str, Change]]:
     at = [i for i, line in enumerate(lines) if "x" in line]
-    for i in (at[0], at[len(at) // 2], at[-1]):
+    for i in sorted({at[0], at[len(at) // 2], at[-1]}):
         step = lines[i]
         for name, c in step["x"].items():
             if len(c) < 2 or not any(c):
