@@ -274,7 +274,8 @@ LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], Iterable[int]]] = {
     ),
     "certificates": (
         lambda patch: patch.setattr(certificates, "checker", lambda: SimpleNamespace(
-            check_text=believing, Limits=lambda: None, Rejected=ValueError)), range(8),
+            main=SimpleNamespace(check_text=believing),
+            limits=SimpleNamespace(Limits=lambda: None, Rejected=ValueError))), range(8),
     ),
     "journals": (lying(journals, "sign_on_ranges", proved), (9,)),
     "kept": (lambda patch: patch.setattr(kept, "Cache", CredulousCache), range(6)),

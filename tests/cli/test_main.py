@@ -164,7 +164,7 @@ def test_help_has_an_example(capsys: pytest.CaptureFixture[str], command: tuple[
 
 def test_the_examples_in_the_help_run() -> None:
     for arguments in (["theta", "--", "-50", "7/3", "--digits", "100"], ["side", "1/2", "4"]):
-        command = [sys.executable, "-c", "from gspot_verified.cli import run; run()", *arguments]
+        command = [sys.executable, "-c", "from gspot_verified.__main__ import run; run()", *arguments]
         done = subprocess.run(command, capture_output=True, check=False)
         assert done.returncode == 0
         assert done.stdout
@@ -187,7 +187,7 @@ def test_an_internal_error_is_never_an_outcome_nor_wrong_usage(
 
 
 def test_a_stream_without_greek_letters() -> None:
-    command = [sys.executable, "-c", "from gspot_verified.cli import run; run()", "side", "1/2", "2"]
+    command = [sys.executable, "-c", "from gspot_verified.__main__ import run; run()", "side", "1/2", "2"]
     environment = {**os.environ, "PYTHONIOENCODING": "cp1252"}
     done = subprocess.run(command, capture_output=True, check=False, env=environment)
     assert done.returncode == 0

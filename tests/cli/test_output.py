@@ -340,7 +340,7 @@ def test_a_full_stdout_is_no_outcome(capsys: pytest.CaptureFixture[str], monkeyp
 @pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="no SIGPIPE on this system")
 def test_a_closed_pipe_ends_the_program_as_it_ends_others() -> None:
     """Exit code 1 would read as "refuted"."""
-    command = [sys.executable, "-c", "from gspot_verified.cli import run; run()", "side", "0", "50000"]
+    command = [sys.executable, "-c", "from gspot_verified.__main__ import run; run()", "side", "0", "50000"]
     # An unbuffered stdout of Python takes a partial write for a whole one, and then there is nothing to notice.
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONUNBUFFERED"}
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment) as process:

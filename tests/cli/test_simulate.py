@@ -63,7 +63,7 @@ def test_a_certificate_and_its_check(capsys: pytest.CaptureFixture[str], tmp_pat
 @pytest.mark.parametrize(
     ("words", "why"),
     [
-        (("rod",), "certificates of runs cover the model system, not a mechanism"),
+        (("stribeck",), "certificates of runs need a friction coefficient that is a number"),
         (("fig-varsim1", "--float", "--points", "3"), "--float, --points: not together with --certificate"),
         (("fig-varsim1", "--route", "exact"), "--route: not together with --certificate"),
     ],

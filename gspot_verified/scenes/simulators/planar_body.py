@@ -107,7 +107,16 @@ def _body(
             offsets, math.hypot(*arms[0])
         ):
             arm = (turn * arms[0][0], turn * arms[0][1])
-            return PlanarBody(1 / light[0], inertias[0], friction, places, turn, arm, functions, start)
+            return PlanarBody(
+                mass=1 / light[0],
+                inertia=inertias[0],
+                friction=friction,
+                places=places,
+                turn=turn,
+                arm=arm,
+                functions=functions,
+                start=start,
+            )
     return None
 
 

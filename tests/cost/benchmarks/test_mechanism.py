@@ -23,10 +23,10 @@ def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mechanism, "CASES", (("model", {"x": "0", "u": "3", "p": "1/2", "b": "-2"}),))
     steps: list[str] = []
     report = mechanism.run(progress=steps.append)
-    assert len(report.rows) == 15
+    assert len(report.rows) == 16
     assert all(row.figure is not None and row.figure > 0 for row in report.rows)
     assert "the fold" in str(report)
-    assert len(json.loads(json.dumps(report.to_json()))["rows"]) == 15
+    assert len(json.loads(json.dumps(report.to_json()))["rows"]) == 16
     assert "critical friction" in steps
 
 

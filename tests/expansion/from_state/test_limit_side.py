@@ -1,4 +1,7 @@
-"""The side by the sign of C_1 for small epsilon: Theorem R beside Theorem Q, and beside the sign of Gamma(-beta)."""
+"""The side by the sign of C_1 for small epsilon: Theorem R beside Theorem Q, and beside the sign of Gamma(-beta).
+
+Pages: proofs/papers_rule.md, proofs/from_state.md.
+"""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from gspot_verified.mechanisms.input.mechanism import Drawing, Mechanism, Mechan
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.shipped import shipped_names, shipped_text
 from gspot_verified.mechanisms.spots.classify import classify
-from gspot_verified.mechanisms.sweep.sweep_work import _whole
+from gspot_verified.mechanisms.sweep.sweep_work import whole_text
 
 BLOCK: dict[str, Any] = {
     "name": "block", "coordinates": ["X", "Y"], "mass_matrix": [[1, 0], [0, 1]], "forces": [0, "-g"],
@@ -140,7 +140,7 @@ def test_a_drawing_is_no_part_of_the_mechanism() -> None:
     assert shown.drawing is not None
     assert plain == shown
     assert hash(plain) == hash(shown)
-    assert _whole(plain) == _whole(shown)
+    assert whole_text(plain) == whole_text(shown)
     assert classify(plain).to_json() == classify(shown).to_json()
     assert pickle.loads(pickle.dumps(shown)).drawing == shown.drawing
     assert shown.with_parameters(mu=3).drawing == shown.drawing
