@@ -138,7 +138,9 @@ def test_in_the_window_p_falls_on_every_run(spot: int) -> None:
 
 
 def test_a_g_spot_to_which_p_does_not_fall_has_no_picture() -> None:
-    with pytest.raises(ValueError, match=r"oscillator: alpha_1 = .* must be negative at the G-spot"):
+    with pytest.raises(
+        ValueError, match=r"oscillator: alpha_1 = .* must be negative at the G-spot: .* \(classify_all lists"
+    ):
         phase_plane(load("oscillator"), spot=5)
 
 

@@ -106,5 +106,8 @@ class System:
         first, second, third = self.values_at_point((self.alpha_1, self.alpha_2, self.alpha_3))
         for name, value in (("alpha_1", first), ("alpha_3", third)):
             if not self.ring.is_negative(value):
-                raise GSpotError(f"{self.name}: {name} = {value} must be negative at the G-spot")
+                raise GSpotError(
+                    f"{self.name}: {name} = {value} must be negative at the G-spot: it is in no Case "
+                    "(classify_all lists the G-spots, the number and the Case of each)"
+                )
         return first, second, third
