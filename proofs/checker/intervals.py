@@ -171,6 +171,14 @@ class Numbers:
         self.meter.spend(len(v) * sum(map(longest, M)) * longest(v), 4 * len(v) * len(M))
         return [up(sum(a * b for a, b in zip(row, v, strict=True)), self.one) for row in M]
 
+    def common_denominator(self, values: Iterable[Fraction]) -> int:
+        """The least one."""
+        common = 1
+        for value in values:
+            self.meter.spend(2 * digits(common) * digits(value.denominator), 2)
+            common = math.lcm(common, value.denominator)
+        return common
+
     def multiple(self, factor: int, c: Sequence[int]) -> list[int]:
         """A polynomial times an integer, exactly."""
         self.meter.spend(len(c) * digits(factor) * longest(c), 2 * len(c))

@@ -12,14 +12,13 @@ any producer may have chosen. No radius is believed: each follows from the start
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from intervals import Box, Interval, Matrix, Numbers, add, root_up, size, up, wider
-from limits import Limits, Meter, digits, reject, require
+from limits import Limits, Meter, reject, require
 from mechanism import MechanismScene, MechanismSystem
 from model import Event, Polynomial, Scene, System, number, state
 from reading import entries, rational, read_line
@@ -129,10 +128,7 @@ class Curve:
         found = []
         for name in self.names:
             f, multiple = rates[name], self.numbers.multiple
-            common = 1
-            for value in f.values():
-                self.numbers.meter.spend(2 * digits(common) * digits(value.denominator), 2)
-                common = math.lcm(common, value.denominator)
+            common = self.numbers.common_denominator(f.values())
             slope = [k * v for k, v in enumerate(self.x[name])][1:]
             terms, rest = [multiple(-common << self.numbers.bits, slope)], 0
             for key, value in f.items():
