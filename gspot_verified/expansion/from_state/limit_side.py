@@ -1,7 +1,6 @@
-"""Lift-off or impact without collision for small epsilon, for every mechanism of Case III and a given beta, two ways.
+"""Lift-off or impact without collision for small epsilon, for every mechanism of Case III and a given beta.
 
-Proof pages: ``proofs/papers_rule.md``, Theorem R, for every real beta; ``proofs/from_state.md``, Theorem Q, where the
-model system's checks decide for a rational beta, because they are strict.
+Proof page: ``proofs/papers_rule.md``, Theorem R.
 """
 
 from __future__ import annotations
@@ -11,19 +10,14 @@ from typing import ClassVar
 
 from flint import arb, fmpq, fmpz
 
-from gspot_verified.expansion.from_state.passage import ModelStart, checked_ratio, passage, trajectory_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
 from gspot_verified.expansion.series.regularisation import Regularisation
-from gspot_verified.expansion.true_solutions.bound import BITS, rational
-from gspot_verified.numbers.balls import ExactInput, ball, ball_text, exact, working_bits
+from gspot_verified.numbers.balls import ExactInput, ball_text, exact
 from gspot_verified.numbers.evidence import less, theorem
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import MAX_BETA
 
-_PLACE = fmpq(1, 100)  # p_1 of the model system's checks; what is proved does not depend on it
-_DELTAS = tuple(fmpq(1, 10**n) for n in (3, 5, 8))  # nor on these
-_FACTOR = fmpq(10)  # nor on the force that is to be reached there
 OTHER = {"lift-off": "impact", "impact": "lift-off"}
 
 
@@ -65,12 +59,14 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
     if not number <= MAX_BETA:
         raise ValueError(f"beta must be at most {MAX_BETA}")
     Contact.of(springs)  # it has a damper
-    statement = _statement("Case III with analytic functions, p, b, y, v independent at its G-spot", number, springs)
-    rule = rule_of(number, springs)
+    statement, rule = _statement(number, springs), rule_of(number, springs)
     if rule is None:
-        why = "the ball of beta holds an integer, or may hold one"
-        return LimitSide(number, springs, None, _open(statement, Reason.WIDE_INPUT, why))
-    return LimitSide(number, springs, rule[0], Verdict.proved(_by_sign(statement, rule[0]), rule[1]))
+        why, text = "the ball of beta holds an integer, or may hold one", "lift-off or impact by the sign of C_1"
+        return LimitSide(number, springs, None, Verdict.undecided(f"{statement} {text}", Reason.WIDE_INPUT, why))
+    side, evidence = rule
+    fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds Lambda without it being lost"}
+    by_sign = f"{statement} {fates[side]} if C_1 > 0, {fates[OTHER[side]]} if C_1 < 0"
+    return LimitSide(number, springs, side, Verdict.proved(by_sign, evidence))
 
 
 def rule_of(beta: fmpq | arb, springs: Regularisation) -> tuple[str, Evidence] | None:
@@ -90,55 +86,13 @@ def rule_of(beta: fmpq | arb, springs: Regularisation) -> tuple[str, Evidence] |
     return None if shown is None else ("impact" if int(below) % 2 else "lift-off", shown)
 
 
-def limit_side_by_enclosures(
-    beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInput] = (1, 1, 1)
-) -> LimitSide:
-    """The same by a second way, for m = 4: the enclosures of the model system from a state to the cone, Theorem Q.
-
-    m = 4: p, b, y, v are coordinates of the state near the G-spot, so that no further condition J is there.
-
-    :raises ValueError: beta is not rational, at most 1, an integer or above 30; the contact is none with a damper.
-    """
-    number, springs = checked_ratio(rational(beta, "beta")), Regularisation.of(*contact)
-    start = ModelStart(number, fmpq(-1), fmpq(-1), springs, _PLACE, -2 * _PLACE / (number - 1), fmpq(0))  # C_1 < 0
-    statement = _statement("Case III with analytic functions and m = 4", number, springs)
-    detail = ""
-    with working_bits(BITS):
-        trajectory = trajectory_of(start)
-        for delta in _DELTAS:
-            found = passage(start, trajectory, delta, _FACTOR)
-            if isinstance(found, str):
-                detail = found
-                continue
-            side = OTHER["lift-off" if found.entry.side < 0 else "impact"]
-            strict = theorem(
-                "proofs/from_state.md, Theorem Q",
-                found.evidence,
-                less(found.tube.rate, ball(fmpq(3 * found.plan.order, 2))),
-                less(0, found.tube.layer(ball(found.tube.rectangle.h))),
-            )
-            if strict is not None:
-                return LimitSide(number, springs, side, Verdict.proved(_by_sign(statement, side), strict))
-            detail = "the order of the slow series is too low"
-    return LimitSide(number, springs, None, _open(statement, Reason.HYPOTHESIS, detail))
-
-
-def _statement(mechanisms: str, beta: fmpq | arb, springs: Regularisation) -> str:
+def _statement(beta: fmpq | arb, springs: Regularisation) -> str:
     number = ball_text(beta) if isinstance(beta, arb) else str(beta)
     return (
-        f"for every mechanism of {mechanisms}, beta = {number} and {contact_text(springs)}, and every family of "
-        "starts in contact that tends to a state of a rigid slip motion into a G-spot with C_1 != 0, with "
-        "y/epsilon^2, v/epsilon, lambda_N bounded and the limsup of "
-        "(kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2)/b^2 below 1, "
+        "for every mechanism of Case III with analytic functions, p, b, y, v independent at its G-spot, "
+        f"beta = {number} and {contact_text(springs)}, and every family of starts in contact that tends to a state of "
+        "a rigid slip motion into a G-spot with C_1 != 0, with y/epsilon^2, v/epsilon, lambda_N bounded and the limsup "
+        "of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2)/b^2 below 1, "
         f"{Contact.of(springs).fast_text}, and every force Lambda, there is an epsilon_0 > 0 such that for every "
         "0 < epsilon <= epsilon_0, as long as slip is positive, contact lasts until p < 0, and then"
     )
-
-
-def _by_sign(statement: str, side: str) -> str:
-    fates = {"lift-off": "it is lost", "impact": "lambda_N exceeds Lambda without it being lost"}
-    return f"{statement} {fates[side]} if C_1 > 0, {fates[OTHER[side]]} if C_1 < 0"
-
-
-def _open(statement: str, reason: Reason, why: str) -> Verdict:
-    return Verdict.undecided(f"{statement} lift-off or impact by the sign of C_1", reason, why)

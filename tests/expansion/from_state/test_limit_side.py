@@ -13,9 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 from witnesses.slow_deviation import end_of_contact
+from witnesses.theorem_q import side_by_enclosures
 
-from gspot_verified.expansion.from_state import limit_side as module
-from gspot_verified.expansion.from_state.limit_side import limit_side, limit_side_by_enclosures, rule_of
+from gspot_verified.expansion.from_state.limit_side import limit_side, rule_of
 from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason
@@ -34,20 +34,19 @@ from gspot_verified.signs.gamma.side import gamma_sign
 )
 def test_it_is_the_papers_rule(beta: str) -> None:
     """C_1/Gamma(-beta) > 0: impact."""
-    for found in (limit_side(beta), limit_side_by_enclosures(beta)):
-        assert found.verdict.outcome is Outcome.PROVED
-        assert found.side == {1: "impact", -1: "lift-off"}[gamma_sign(found.beta)]
-        first = "lambda_N exceeds Lambda" if found.side == "impact" else "it is lost"
-        words = found.verdict.statement
-        assert first in words.split(" if C_1 > 0")[0]
-        assert words.index("every force Lambda,") < words.index("there is an epsilon_0"), "one epsilon_0 for each force"
+    found = limit_side(beta)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.side == side_by_enclosures(beta) == {1: "impact", -1: "lift-off"}[gamma_sign(found.beta)]
+    first = "lambda_N exceeds Lambda" if found.side == "impact" else "it is lost"
+    words = found.verdict.statement
+    assert first in words.split(" if C_1 > 0")[0]
+    assert words.index("every force Lambda,") < words.index("there is an epsilon_0"), "one epsilon_0 for each force"
 
 
 @pytest.mark.slow
 def test_for_another_contact() -> None:
-    for way in (limit_side, limit_side_by_enclosures):
-        assert way("3/2", contact=(2, 1, "1/2")).side == "impact"
-        assert way("7/3", contact=(1, 3, 1)).side == "lift-off"
+    for beta, contact, side in (("3/2", (2, 1, "1/2"), "impact"), ("7/3", (1, 3, 1), "lift-off")):
+        assert limit_side(beta, contact=contact).side == side_by_enclosures(beta, contact) == side
 
 
 @given(integer=st.integers(1, 60), part=st.fractions(min_value=0, max_value=1, max_denominator=10**6))
@@ -99,24 +98,17 @@ def test_the_sentence_names_the_fast_part_of_the_starts() -> None:
     assert "phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 3/4, g = 2, l = 9/4" in statement
 
 
-def test_what_is_not_certain_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With starts at a delta so large that Theorem B does not hold."""
-    monkeypatch.setattr(module, "_DELTAS", (fmpq(1, 30),))
-    found = limit_side_by_enclosures("3/2")
-    assert found.side is None
-    assert found.verdict.outcome is Outcome.UNDECIDED
-    assert "Theorem B" in found.verdict.detail
+def test_the_second_way_is_open_where_theorem_b_does_not_hold() -> None:
+    """With starts at a delta that is too large."""
+    assert "Theorem B" in side_by_enclosures("3/2", deltas=(fmpq(1, 30),))
 
 
 @pytest.mark.parametrize(("beta", "message"), [("1/2", "above 1"), ("2", "no integer"), ("1", "above 1")])
 def test_bad_input(beta: str, message: str) -> None:
-    for way in (limit_side, limit_side_by_enclosures):
-        with pytest.raises(ValueError, match=message):
-            way(beta)
-        with pytest.raises(ValueError, match="damper"):
-            way("3/2", contact=(1, 1, 0))
-    with pytest.raises(ValueError, match="at most 30"):
-        limit_side_by_enclosures("10001/2")
+    with pytest.raises(ValueError, match=message):
+        limit_side(beta)
+    with pytest.raises(ValueError, match="damper"):
+        limit_side("3/2", contact=(1, 1, 0))
     with pytest.raises(ValueError, match="above 1"):
         limit_side(arb(1, "0.1"))
     for large in ("1000000000001/2", arb((1, 2**70)), arb("inf")):

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from flint import arb, fmpq
 from scipy.integrate import solve_ivp
+from witnesses.theorem_q import side_by_enclosures
 
-from gspot_verified.expansion.from_state.limit_side import limit_side_by_enclosures
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.mechanisms.approach import mechanism_side as module
 from gspot_verified.mechanisms.approach.approach import approach
@@ -73,6 +73,7 @@ def with_approach(monkeypatch: pytest.MonkeyPatch, **changes: Any) -> MechanismS
 
 def undecided(found: MechanismSide, reason: Reason, why: str) -> None:
     assert found.side is None
+    assert "rests on" not in str(found)
     assert found.verdict.outcome is Outcome.UNDECIDED
     assert found.verdict.reason is reason
     assert why in found.verdict.detail
@@ -85,6 +86,7 @@ def test_the_model_system_takes_the_side_of_its_own_theorem() -> None:
     assert found.side == "lift-off"
     assert found.verdict.statement.endswith("contact is lost")
     assert found.active == ("y", "v", "p", "b")
+    assert "rests on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed" in str(found)
 
 
 @pytest.mark.parametrize(
@@ -97,8 +99,8 @@ def test_it_is_the_side_that_theorem_q_proves_another_way(
     """Theorem Q shows the side of C_1 > 0 by enclosures for a rational beta, Theorem R by the asymptotics of Theta."""
     ball = arb(fmpq(*map(int, beta.split("/")))) + arb(0, "1e-20")
     found = with_approach(monkeypatch, beta=ball, coefficient=arb(coefficient, "0.1"))
-    positive = limit_side_by_enclosures(beta).side
-    assert found.side == (positive if coefficient > 0 else {"impact": "lift-off", "lift-off": "impact"}[positive or ""])
+    positive = side_by_enclosures(beta)
+    assert found.side == (positive if coefficient > 0 else {"impact": "lift-off", "lift-off": "impact"}[positive])
 
 
 def test_beta_may_be_any_number_of_a_ball(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -120,6 +122,9 @@ def test_beta_may_be_any_number_of_a_ball(monkeypatch: pytest.MonkeyPatch) -> No
         ({"beta": arb("0.9", "0.05")}, Reason.WIDE_INPUT, ""),
         ({"beta": arb("nan")}, Reason.WIDE_INPUT, ""),
         ({"alphas": (arb(-1), arb(0, 1), arb(-2))}, Reason.HYPOTHESIS, "sign of an alpha"),
+        ({"alphas": (arb(-1), arb(-1), arb(0))}, Reason.HYPOTHESIS, "sign of an alpha"),
+        ({"alphas": None}, Reason.BEYOND, "before any G-spot"),
+        ({"beta": None}, Reason.BEYOND, "before any G-spot"),
         ({"end": "stick", "alphas": None, "beta": None}, Reason.BEYOND, "ends by stick before any G-spot"),
     ],
 )
@@ -243,3 +248,10 @@ def test_five_components_are_seen() -> None:
         active = active_components(flow)
         assert active == (2, 3, 4, 5, 6)
         assert independent(SlipNumbers(flow), active, [arb(0)] * 7) is not None
+
+
+def test_what_a_component_needs_is_active_too() -> None:
+    """The rate of w holds x, whose rate is u."""
+    with working_bits(64):
+        active = active_components(SlipFlow.of(shift(parse_mechanism(FIVE.replace("p - w/2", "p - w/2 + x/9")))))
+    assert active == tuple(range(7))
