@@ -58,8 +58,7 @@ def limit_side(beta: ExactInput, contact: tuple[ExactInput, ExactInput, ExactInp
         raise ValueError(f"beta must be above 1 and no integer, got {number}")
     if not number <= MAX_BETA:
         raise ValueError(f"beta must be at most {MAX_BETA}")
-    Contact.of(springs)  # it has a damper
-    statement, rule = _statement(number, springs), rule_of(number, springs)
+    statement, rule = _statement(number, springs), rule_of(number, springs)  # ValueError without a damper
     if rule is None:
         why, text = "the ball of beta holds an integer, or may hold one", "lift-off or impact by the sign of C_1"
         return LimitSide(number, springs, None, Verdict.undecided(f"{statement} {text}", Reason.WIDE_INPUT, why))

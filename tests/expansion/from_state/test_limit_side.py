@@ -17,7 +17,7 @@ from witnesses.theorem_q import side_by_enclosures
 
 from gspot_verified.expansion.from_state.limit_side import limit_side, rule_of
 from gspot_verified.expansion.series.regularisation import PAPER
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import ball_text, working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.signs.gamma.side import gamma_sign
 
@@ -63,6 +63,8 @@ def test_every_beta_between_two_integers(integer: int, part: Fraction) -> None:
     with working_bits(64):
         root = arb(beta) + arb(0, "1e-9")
     assert limit_side(root).side == found.side
+    assert f"beta = {ball_text(root)} and " in limit_side(root).verdict.statement
+    assert "(1, 1, 1)" in found.verdict.statement
 
 
 def test_a_ball_with_an_integer_is_undecided() -> None:
@@ -109,10 +111,12 @@ def test_bad_input(beta: str, message: str) -> None:
         limit_side(beta)
     with pytest.raises(ValueError, match="damper"):
         limit_side("3/2", contact=(1, 1, 0))
-    with pytest.raises(ValueError, match="above 1"):
-        limit_side(arb(1, "0.1"))
+    for low in (arb(1), arb(1, "0.1")):
+        with pytest.raises(ValueError, match="above 1"):
+            limit_side(low)
     for large in ("1000000000001/2", arb((1, 2**70)), arb("inf")):
         with pytest.raises(ValueError, match=r"at most 1000000|beta"):
             limit_side(large)
-    assert rule_of(arb((1, 2**70)), PAPER) is None
+    for none in (arb((1, 2**70)), arb(2), arb("0.5")):
+        assert rule_of(none, PAPER) is None
     assert rule_of(arb("nan"), PAPER) is None

@@ -73,7 +73,11 @@ def with_approach(monkeypatch: pytest.MonkeyPatch, **changes: Any) -> MechanismS
 
 def undecided(found: MechanismSide, reason: Reason, why: str) -> None:
     assert found.side is None
-    assert "rests on" not in str(found)
+    text, rigid = str(found), found.approach
+    assert "rests on" not in text
+    assert ("the G-spot: " in text) is (rigid.end == "G-spot")
+    assert ("  Case " in text) is (None not in (rigid.case, rigid.beta))
+    assert ("  C_1 = " in text) is (rigid.coefficient is not None)
     assert found.verdict.outcome is Outcome.UNDECIDED
     assert found.verdict.reason is reason
     assert why in found.verdict.detail
@@ -86,7 +90,12 @@ def test_the_model_system_takes_the_side_of_its_own_theorem() -> None:
     assert found.side == "lift-off"
     assert found.verdict.statement.endswith("contact is lost")
     assert found.active == ("y", "v", "p", "b")
-    assert "rests on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed" in str(found)
+    shown = str(found).splitlines()
+    assert shown[0] == str(found.verdict)
+    assert [line.split("=")[0] for line in shown[1:4]] == ["  the G-spot: x ", "  Case III, beta ", "  C_1 "]
+    assert shown[4] == "  rests on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed"
+    data = found.to_json()
+    assert (data["side"], data["end"]) == ("lift-off", "G-spot")
 
 
 @pytest.mark.parametrize(
@@ -112,7 +121,7 @@ def test_beta_may_be_any_number_of_a_ball(monkeypatch: pytest.MonkeyPatch) -> No
 @pytest.mark.parametrize(
     ("changes", "reason", "why"),
     [
-        ({"case": "I"}, Reason.BEYOND, "Case I"),
+        ({"case": "I"}, Reason.BEYOND, "Theorem R is about Case III: Case I"),
         ({"case": None, "side_reason": "alpha_2 is open"}, Reason.BEYOND, "alpha_2 is open"),
         ({"coefficient": None, "side_reason": "not enclosed"}, Reason.HYPOTHESIS, "not enclosed"),
         ({"coefficient": arb(0, 1), "side_reason": "sign open"}, Reason.WIDE_INPUT, "sign open"),
