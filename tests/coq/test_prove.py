@@ -1,6 +1,7 @@
-"""proofs/coq/prove.py, the script of `make prove`: what it refuses; where Coq is, small developments and the whole job.
+"""proofs/coq/prove.py, the script of `make prove`: what it refuses; where Coq is, small developments.
 
-What a source may say is tested in test_source_rules.py, what the programs of Coq print in test_coq_output.py.
+The whole job is `make prove`, which .ci/run runs. What a source may say is tested in test_source_rules.py, what the
+programs of Coq print in test_coq_output.py.
 """
 
 from __future__ import annotations
@@ -483,12 +484,3 @@ def test_what_coq_answers_is_a_refusal_also_where_the_rules_of_the_sources_are_p
     assert said in output.err
     assert "theorems proved" not in output.out
     assert not (small.BUILD / small.RECORD).exists()
-
-
-@pytest.mark.slow
-@WITHOUT_COQ
-def test_the_whole_job(prove: ModuleType, capsys: pytest.CaptureFixture[str]) -> None:
-    """The kernel checker sees a small development above, and all files in .ci/run."""
-    assert prove.prove(2, kernel=False) == 0
-    assert "theorems proved" in capsys.readouterr().out
-    assert "from these sources" in prove.state()
