@@ -37,8 +37,9 @@ MAX_DIGITS = 1_000  # as many as slow_solution.py gives
 _ATTEMPTS = 4  # with as many bits more as were missing; then what was reached
 _GUARD_BITS = 16  # bits beyond those asked for, lost on the way; any number is right
 _NEGLIGIBLE_BITS = 8  # that a bounded fast part may cost before it is computed; any number is right
-_LEAST_EPSILON_OF_QUADRATURE = fmpq(1, 20_000)  # below it the fast part is only bounded; any number is right
-_WORK_OF_FIRST_INSTANTS = 1_500  # rate times time, up to which the power series comes first below that epsilon
+LEAST_EPSILON_OF_QUADRATURE = fmpq(1, 20_000)
+"""Below it the fast part is only bounded; any number is right."""
+_WORK_OF_SERIES = 2_000  # rate times time, up to which the power series costs less than the parts; any number is right
 
 VARIABLES = ("b", "force", "V", "Z")
 
@@ -115,8 +116,10 @@ class ContactMotion:
     state: Deviation | None
     c1: fmpq | None
 
-    def at(self, time: fmpq, digits: int) -> CompliantForce:
+    def at(self, time: fmpq, digits: int, parts: bool = True) -> CompliantForce:
         """All variables at one time, with rising precision until the force is accurate.
+
+        Without ``parts`` the slow and the fast part may be missing, which costs less.
 
         :raises ValueError: a state with p <= 0, and the time too long after it.
         """
@@ -129,8 +132,8 @@ class ContactMotion:
                 f"t: {time} is too long after an initial state with p <= 0: the power series needs a work of "
                 f"{approximate(work):.3g}, its limit is {MAX_WORK}"
             )
-        soon = work <= _WORK_OF_FIRST_INSTANTS and self.model.scaled_epsilon < _LEAST_EPSILON_OF_QUADRATURE
-        if late or soon:
+        soon = self.model.scaled_epsilon < LEAST_EPSILON_OF_QUADRATURE or not parts
+        if late or (soon and work <= _WORK_OF_SERIES):
             return self._accurate(time, digits, by_series=True)
         contact_force = self._accurate(time, digits, by_series=False)
         if not contact_force.reached and work <= MAX_WORK:
@@ -171,9 +174,19 @@ class ContactMotion:
                 bounds[name] < (slow[name].abs_lower() + self._mean(name, p)) * arb(2) ** -(bits - _NEGLIGIBLE_BITS)
                 for name in names
             )
-            if negligible or small < _LEAST_EPSILON_OF_QUADRATURE:
+            if negligible or small < LEAST_EPSILON_OF_QUADRATURE:
                 return slow, {name: add_remainder(arb(0), bounds[name]) for name in names}, True
             return slow, fast_part(self.state, p, names, bits), False
+
+    def hats_at(self, place: fmpq, bits: int) -> dict[str, arb]:
+        """All hats at T: by the power series about the state where that costs less, else by the two parts."""
+        assert self.state is not None
+        since = place - self.state.time
+        if series_work(self.state, since) <= _WORK_OF_SERIES:
+            return carried(self.state, since, bits)
+        slow, fast, _ = self.hats(-place * self.model.scaled_epsilon, bits)
+        with working_bits(self._bits(bits)):
+            return {name: slow[name] + fast[name] for name in VARIABLES}
 
     def _mean(self, name: str, p: fmpq) -> arb:
         """The size of the variable on the trivial solution."""

@@ -67,14 +67,19 @@ class SeriesCell:
         return [add_remainder(poly(x), rest) for poly, rest in zip(self.variables, self.rests, strict=True)]
 
 
-def series_cells(state: Deviation, duration: fmpq, steps: int, bits: int) -> Iterator[SeriesCell]:
-    """The motion from the state on, in ``steps`` cells of equal width; about ``bits`` bits are left at the end."""
-    values: Sequence[fmpq | arb] = [state.b, state.V, state.Y, state.Z]
-    rate, width = series_rate(state, duration), duration / steps
+def series_cells(
+    state: Deviation, duration: fmpq, steps: int, bits: int, later: tuple[fmpq, Sequence[fmpq | arb]] | None = None
+) -> Iterator[SeriesCell]:
+    """The motion from the state on, in ``steps`` cells of equal width; about ``bits`` bits are left at the end.
+
+    ``later``: a time since the state, and b-hat, V-hat, Y-hat, Z-hat there; the cells then begin at that time.
+    """
+    first, values = later or (fmpq(0), (state.b, state.V, state.Y, state.Z))
+    rate, width = series_rate(state, first + duration), duration / steps
     for k in range(steps):
         precision = _bits(rate * width * (steps - k), bits)
         with working_bits(precision):
-            cell = _cell(state, [arb(value) for value in values], k * width, width, rate, precision)
+            cell = _cell(state, [arb(value) for value in values], first + k * width, width, rate, precision)
             values = cell.at(arb(1))
         yield cell
 

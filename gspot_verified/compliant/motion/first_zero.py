@@ -5,13 +5,20 @@ Proof pages: ``proofs/force_range.md``; near the initial state ``proofs/contact_
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import ClassVar
 
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState
-from gspot_verified.compliant.motion.compliant_force import ContactMotion, contact_motion
+from gspot_verified.compliant.motion.compliant_force import (
+    LEAST_EPSILON_OF_QUADRATURE,
+    ContactMotion,
+    contact_motion,
+)
+from gspot_verified.compliant.motion.contact_series import series_cells, series_rate
 from gspot_verified.compliant.motion.force_range import ForceRange
 from gspot_verified.compliant.motion.rough_zero import rough_zero
 from gspot_verified.compliant.motion.zero_by_series import MOST_WORK, SeriesZero, positive_by_series, zero_by_series
@@ -156,7 +163,7 @@ def _by_force_range(motion: ContactMotion, start: fmpq, text: str, digits: int, 
         if lasts is None:
             continue
         second = model.scaled_epsilon / -model.alpha_1
-        bracket = _bracket(motion, rough, unit / fmpq(10) ** digits, digits)
+        bracket = _bracket(motion, (before, rough, after), unit / fmpq(10) ** digits, digits)
         if bracket is None:
             return None
         lower, upper = _outward(bracket.lower * second, bracket.upper * second)
@@ -235,11 +242,15 @@ def _cut(begin: fmpq, end: fmpq, unit: fmpq) -> fmpq:
     return -(fmpq(2) ** ((low + high) // 2))
 
 
-def _bracket(motion: ContactMotion, rough: fmpq, width: fmpq, digits: int) -> SeriesZero | None:
-    """Two times ``width`` apart at which the force is certainly > 0 and < 0, by the secant method."""
+def _bracket(motion: ContactMotion, places: tuple[fmpq, fmpq, fmpq], width: fmpq, digits: int) -> SeriesZero | None:
+    """Two times ``width`` apart at which the force is certainly > 0 and < 0, by the secant method.
+
+    ``places``: about the zero, and times before and after it between which it is sought.
+    """
     coarse, fine = bits_for_digits(12), bits_for_digits(digits + 8)
-    step = _unit(motion) / 10**3
-    points = [(place, _value(motion, place, coarse)) for place in (rough, rough + step)]
+    rough, step = places[1], _unit(motion) / 10**3
+    value = _value_between(motion, places[0], places[2], fine)
+    points = [(place, value(place, coarse)) for place in (rough, rough + step)]
     bits = coarse
     for _ in range(_NEWTON_STEPS):
         (first, one), (second, two) = points[-2:]
@@ -251,10 +262,10 @@ def _bracket(motion: ContactMotion, rough: fmpq, width: fmpq, digits: int) -> Se
         root = second + _rational(shift, fine)
         if abs(root - second) < width:
             lower, upper = root - width / 2, root + width / 2
-            signs = every([less(0, _value(motion, lower, fine)), less(_value(motion, upper, fine), 0)])
+            signs = every([less(0, value(lower, fine)), less(value(upper, fine), 0)])
             return None if signs is None else SeriesZero(lower, upper, signs)
         bits = fine if bits > coarse or abs(root - second) < step / 10**3 else coarse
-        points.append((root, _value(motion, root, bits)))
+        points.append((root, value(root, bits)))
     return None
 
 
@@ -264,6 +275,30 @@ def _outward(lower: fmpq, upper: fmpq) -> tuple[fmpq, fmpq]:
     while tens * (upper - lower) < 10:
         tens *= 10
     return fmpq((lower * tens).floor()) / tens, fmpq((upper * tens).ceil()) / tens
+
+
+def _value_between(motion: ContactMotion, before: fmpq, after: fmpq, bits: int) -> Callable[[fmpq, int], arb]:
+    """lambda at T, in the normal form, as a function of T in [before, after] and of the bits that are asked for.
+
+    Where the fast part is found by quadrature, all values come from one power series; ``bits`` are its bits.
+    """
+    model, state = motion.model, motion.state
+    assert state is not None
+    if model.scaled_epsilon < LEAST_EPSILON_OF_QUADRATURE:
+        return partial(_value, motion)
+    mean = model.mean_force * model.sigma**2
+    work = series_rate(state, after - state.time) * (after - before)
+    hats = motion.hats_at(before, bits + 2 * int(work.ceil()))
+    with working_bits(bits + 64 + 2 * int(work.ceil())):
+        values = (hats["b"], hats["V"], hats["Z"] - hats["force"], hats["Z"])
+    (cell,) = series_cells(state, after - before, 1, bits, (before - state.time, values))
+
+    def value(place: fmpq, _: int) -> arb:
+        with working_bits(bits + 64):
+            hats = cell.at(arb((place - before) / cell.width))
+            return mean + hats[3] - hats[2]
+
+    return value
 
 
 def _value(motion: ContactMotion, place: fmpq, bits: int) -> arb:

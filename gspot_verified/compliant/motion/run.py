@@ -14,7 +14,7 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.model.flight import ContactState
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, deviation
-from gspot_verified.compliant.motion.compliant_force import force
+from gspot_verified.compliant.motion.compliant_force import contact_motion
 from gspot_verified.compliant.motion.contact_series import MAX_WORK
 from gspot_verified.compliant.motion.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.motion.lasting_contact import lasting_contact
@@ -142,8 +142,9 @@ def _trivial(model: CompliantModel, state: CompliantState) -> Evidence | None:
 
 def _lasting_from(model: CompliantModel, state: CompliantState, digits: int, bits: int, budget: int) -> Event | None:
     """The first of some times from which on the contact lasts for ever, after lambda > 0 up to it."""
+    motion = contact_motion(model, state)
     for time in later_times(model):
-        there = contact_state(force(model, state, time, digits), bits)
+        there = contact_state(motion.at(time, digits, parts=False), bits)
         verdict = lasting_contact(there, bits)
         if verdict.outcome is not Outcome.PROVED:
             continue
@@ -161,7 +162,8 @@ def _after_lift_off(
 ) -> CompliantRun:
     """The events from a bracket of lift-off on; ``lost`` is what shows the lift-off."""
     digits, (lower, upper) = int(bits / 3), bracket
-    before = contact_state(force(model, state, lower, min(digits, 1_000)), bits + _GUARD_BITS)
+    there = contact_motion(model, state).at(lower, digits, parts=False)
+    before = contact_state(there, bits + _GUARD_BITS)
     start = lift_off_state(before, (upper - lower) / model.epsilon, bits + _GUARD_BITS)
     lift = Event("lift-off", lower, upper, _velocity(model, start), "λ_N > 0 before it, dλ_N/dt < 0 at it", start, lost)
     end = flight_end(start, bits)

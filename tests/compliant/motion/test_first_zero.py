@@ -17,7 +17,15 @@ from gspot_verified.compliant.model.normal_form import compliant_model, complian
 from gspot_verified.compliant.motion import first_zero as first_zero_module
 from gspot_verified.compliant.motion.compliant_force import SlowMotions, contact_motion
 from gspot_verified.compliant.motion.compliant_force import force as compliant_force
-from gspot_verified.compliant.motion.first_zero import _bracket, _cut, _outward, _unit, contact_lasts, first_zero
+from gspot_verified.compliant.motion.first_zero import (
+    _bracket,
+    _cut,
+    _outward,
+    _unit,
+    _value,
+    contact_lasts,
+    first_zero,
+)
 from gspot_verified.compliant.motion.force_range import ForceRange, slow_range
 from gspot_verified.compliant.motion.rough_zero import rough_zero
 from gspot_verified.compliant.slow.slow_solution import slow_value
@@ -197,12 +205,26 @@ def test_the_width_of_a_bracket_is_the_one_asked_for() -> None:
     motion, width = contact_motion(model, state), fmpq(1, 10**5)
     rough = rough_zero(ForceRange(motion, motion.coefficient(60)), fmpq(-(10**6), 2), _unit(motion))
     assert rough is not None
-    found = _bracket(motion, rough, width, 8)
-    narrow = _bracket(motion, rough, width / 10**6, 14)
+    found = _bracket(motion, (rough - 1, rough, rough + 1), width, 8)
+    narrow = _bracket(motion, (rough - 1, rough, rough + 1), width / 10**6, 14)
     assert found is not None
     assert narrow is not None
     assert found.upper - found.lower == width
     assert found.lower + width * 49 / 100 < narrow.lower < narrow.upper < found.upper - width * 49 / 100
+
+
+@pytest.mark.parametrize("epsilon", ["1e-3", pytest.param("1/9000", marks=pytest.mark.slow)])
+def test_a_bracket_by_one_power_series_has_the_signs_of_the_two_parts(epsilon: str) -> None:
+    """At 1/1000 it begins with the series from the state, at 1/9000 with the parts themselves."""
+    motion = contact_motion(*paper_run("5/2", "1/2", epsilon))
+    assert motion.state is not None
+    unit = _unit(motion)
+    rough = rough_zero(ForceRange(motion, motion.coefficient(60)), motion.state.time, unit)
+    assert rough is not None
+    found = _bracket(motion, (rough - unit / 16, rough, rough + unit / 16), unit / 10**9, 9)
+    assert found is not None
+    assert found.upper - found.lower == unit / 10**9
+    assert _value(motion, found.lower, 60) > 0 > _value(motion, found.upper, 60)
 
 
 def test_a_slope_that_is_not_negative_gives_no_bracket(monkeypatch: pytest.MonkeyPatch) -> None:
