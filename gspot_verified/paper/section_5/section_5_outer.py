@@ -1,4 +1,7 @@
-"""Ledger of Section 5, the outer system: its fast and its slow part."""
+"""Ledger of Section 5, the outer system: its fast and its slow part.
+
+yd, vd, zd are ε times the derivatives of y_o, v_o, z_o in t.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from flint import fmpq_mpoly
 from gspot_verified.paper.checks.entry import Builders, Entry, settled
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.section_4 import section_4_fast
+from gspot_verified.paper.section_5 import section_5_recursion
 
 SECTION = "Section 5, outer system and matching"
 ALGEBRA = Algebra(
@@ -21,6 +25,21 @@ PRINTED: dict[str, dict[str, str]] = {
     "5-fast-polynomial": {"polynomial": "lam^3 + 2*lam^2 + p*lam + p"},
     "5-slow-manifold": {"y": "2*b", "v": "0*b", "z": "b", "xi": "p*F - G*b", "b": "p*alpha2 + alpha3*b"},
 }  # fmt: skip
+OUTER_LINES = {
+    "y": ("specialY", "yd", 1, 1), "v": ("specialV", "vd", 0, 2),
+    "z": ("specialZ", "zd", 2, 0), "lambda": ("specialL", "lam", 2, 0),
+}  # fmt: skip
+"""By the right side: the equation, its left side, and the powers of ε and of δ that genSys and the inner form have in
+front of it."""
+IN_OUTER = {
+    "y": "epsilon^2*y", "v": "epsilon*v", "z": "epsilon^2*z", "yd": "epsilon*yd", "vd": "vd", "zd": "epsilon*zd",
+}  # fmt: skip
+"""y, v, z and their derivatives in t by the outer variables (line 1926)."""
+IN_INNER = {
+    "b": "delta^2*b0", "p": "delta^2*p", "y": "y0", "v": "delta*v0", "z": "z0",
+    "yd": "delta*y1", "vd": "delta^2*v1", "zd": "delta*z1",
+}  # fmt: skip
+"""The outer variables by those of the inner scale, δ³ = ε: ε d/dt is δ d/ds."""
 CORRECTED: dict[str, dict[str, str]] = {
     "5-fast-system": {"v": "-p*y + p*z + b"},
 }
@@ -41,32 +60,21 @@ def _jacobian(values: list[fmpq_mpoly]) -> list[list[fmpq_mpoly]]:
 
 def _outer_system() -> Entry:
     this = _claim("5-outer-system")
-    epsilon = _SYMBOLS["epsilon"]
 
     def general(parts: Parts) -> list[fmpq_mpoly]:
-        # genSysY to genSysLN in y = epsilon^2 y_o, v = epsilon v_o, z = epsilon^2 z_o; yd, vd, zd are epsilon
-        # times the derivatives.
-        y, v, z = (
-            ALGEBRA.read(text)
-            for text in ("epsilon*yd - epsilon*v", "vd - (b + p*lam)", "epsilon^2*zd + epsilon^2*z + epsilon^2*lam")
-        )
-        force = ALGEBRA.read("epsilon^2*lam - (epsilon^2*z - epsilon^2*y)")
         return [
-            y - epsilon * (_SYMBOLS["yd"] - parts["y"]),
-            v - (_SYMBOLS["vd"] - parts["v"]),
-            z - epsilon**2 * (_SYMBOLS["zd"] - parts["z"]),
-            force - epsilon**2 * (_SYMBOLS["lam"] - parts["lambda"]),
+            put(ALGEBRA.read(section_5_recursion.GENERAL[equation][0]), **IN_OUTER)
+            - _SYMBOLS["epsilon"] ** power * (_SYMBOLS[unknown] - parts[name])
+            for name, (equation, unknown, power, _) in OUTER_LINES.items()
         ]
 
     def inner(parts: Parts) -> list[fmpq_mpoly]:
-        # From specialY to specialL: y~ = y_o, v~ = delta^(-1) v_o, b~ = delta^(-2) b, p~ = delta^(-2) p, and
-        # d/ds = delta^(-1) epsilon d/dt. Each times a power of delta.
-        delta = _SYMBOLS["delta"]
+        algebra, scaled = section_5_recursion.ALGEBRA, section_5_recursion.PRINTED["5-inner-system"]
+        images = {name: algebra.read(text) for name, text in IN_INNER.items()}
         return [
-            delta * parts["y"] - ALGEBRA.read("delta*v"),
-            delta**2 * parts["v"] - ALGEBRA.read("delta^2*b + delta^2*p*lam"),
-            parts["z"] + ALGEBRA.read("z + lam"),
-            parts["lambda"] - ALGEBRA.read("z - y"),
+            algebra.substitute(algebra.bring(_SYMBOLS[unknown]) - algebra.bring(parts[name]), images)
+            - algebra.symbols["delta"] ** power * algebra.read(scaled[equation])
+            for name, (equation, unknown, _, power) in OUTER_LINES.items()
         ]
 
     return settled(

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from paper.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, unseen_at
+from paper.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.paper.section_4 import section_4_fast
 from gspot_verified.paper.section_5 import section_5_outer as ledger
+from gspot_verified.paper.section_5 import section_5_recursion
 
 ENTRIES = ledger.ENTRIES
 OUTER, POLYNOMIAL, SLOW = (
@@ -18,7 +19,8 @@ TEETH: Teeth = {
     "5-outer-system": (
         *(Bite("factor", OUTER, part, scaled) for part in OUTER),
         *(Bite("hidden factor", OUTER, part, unseen_at("epsilon", _POINTS)) for part in OUTER),
-        NotApplicable("hypothesis", "a change of variables: an identity in all symbols, without hypotheses"),
+        Bite("hypothesis", section_5_recursion.GENERAL, "specialV", lambda honest: ("vd - (b + 2*p*lam)", honest[1])),
+        Bite("hypothesis", section_5_recursion.PRINTED["5-inner-system"], "specialZ", replaced("delta*z1", "z1")),
         *(Bite("order", OUTER, part, raised("epsilon")) for part in OUTER),
     ),
     "5-fast-system": (
