@@ -9,6 +9,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.section_3 import table_1 as ledger
 
 HALF = fmpq(1, 2 * 10**4)
@@ -124,6 +125,16 @@ def test_a_series_that_begins_above_the_stated_epsilon_shows_nothing(
         assert [c.agrees for c in ledger.ENTRIES[ledger.identifier(name, beta)]().checks] == [True, True]
 
 
+def test_a_series_that_gives_another_number_refutes_no_number(monkeypatch: pytest.MonkeyPatch) -> None:
+    """There may be another series that gives it."""
+    monkeypatch.setattr(ledger, "slope", lambda name, beta, _: arb(ledger.MEASURED[name][beta]) + 1)
+    for name, beta in ledger.SERIES:
+        entry = ledger.ENTRIES[ledger.identifier(name, beta)]()
+        assert [check.agrees for check in entry.checks] == [None, None]
+        assert entry.verdict.outcome is Outcome.UNDECIDED
+        assert "the slope is" in entry.checks[0].finding
+
+
 def test_every_measured_number_has_its_entry_and_its_note() -> None:
     missing = {(name, beta) for name in ledger.MEASURED for beta in BETAS} - set(ledger.SERIES)
     assert missing == {("y", BETAS[0])}
@@ -133,6 +144,7 @@ def test_every_measured_number_has_its_entry_and_its_note() -> None:
             note = ledger._notes(name, beta)
             assert ("vanishes twice" in note) is ((name, beta) == ("t", BETAS[1]))
             assert ("Theorem E3" in note) is ((name, beta) == ("b", BETAS[2]))
+            assert ("neighbours 1 % apart" in note) is ("no series" in note)
 
 
 def test_formulas_at_one_beta() -> None:
