@@ -12,7 +12,7 @@ from flint import fmpq_mpoly
 
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
-from gspot_verified.paper.section_1.section_1_cases import RATES
+from gspot_verified.paper.section_1.section_1_cases import CASES, RATES, is_stable, reaches
 
 SECTION = "Section 1"
 ALGEBRA = Algebra("p b c K q s E lam alpha1 alpha2 alpha3 u w m r")
@@ -66,6 +66,12 @@ def ends_by_the_solution() -> bool | None:
     return None if None in ends else solutions_are_right()
 
 
+def none_leaves_in_the_cases() -> bool | None:
+    """Whether α_1, α_3 < 0 in Cases I, II and III, so that each part of the solution tends to 0."""
+    ends = {end_of(-1, -1, apart) for apart in (True, False)}
+    return ends == {G_SPOT} and all_of(reaches(images) for images in CASES.values())
+
+
 def bounded_states_go_to_the_g_spot() -> bool | None:
     """Whether the matrix of the flow has the eigenvalues α_1 and α_3 alone: real, and not 0.
 
@@ -113,17 +119,20 @@ def _outcomes() -> Entry:
         "lines 261 to 265",
         r"\text{from slip there are three outcomes: it leaves, it lifts off, it reaches the G-spot}",
         "Rigid slip with constant α's, α_1 α_3 not 0: from p > 0, b < 0 the state leaves every bounded set with "
-        "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot, which it does in a finite time t",
+        "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot, which it does in a finite time t; in Cases I, "
+        "II and III it does not leave",
         Check(
             Rung.EXACT,
             "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever; t",
-            all_of([ends_by_the_solution(), p_is_an_exponential(), time_is_an_exponential()]),
+            all_of(
+                [ends_by_the_solution(), p_is_an_exponential(), time_is_an_exponential(), none_leaves_in_the_cases()]
+            ),
         ),
         Check(
             Rung.EXACT,
             "the eigenvalues of the flow are α_1 and α_3: no bounded state but those that tend to the origin; dp/dt is "
-            "α_1",
-            all_of([bounded_states_go_to_the_g_spot(), in_finite_time()]),
+            "α_1; in the Cases both are negative, by the trace and the determinant",
+            all_of([bounded_states_go_to_the_g_spot(), in_finite_time(), *map(is_stable, CASES)]),
         ),
         note="For α_1 = 0 > α_3 and for α_3 = 0 > α_1 there is a fourth outcome: with α = (-1, -1, 0) p tends to 0 and "
         "b to b(0) - p(0); with α = (0, -1, -1) p is constant and b tends to -p.",

@@ -214,8 +214,8 @@ def _exponents() -> Entry:
         "lines 1235 to 1239",
         r"\hat b,\hat y,\hat v,\hat z,\hat\lambda_N=O(\epsilon^{2\beta/3}),O(\epsilon^{(2\beta+4)/3}),"
         r"O(\epsilon^{(2\beta+2)/3}),O(\epsilon^{(2\beta+4)/3}),O(\epsilon^{(2\beta-2)/3})",
-        "For s = O(1) and every β the deviations of b, y, v, z and λ_N are, at leading order, of the sizes ε^(2β/3), "
-        "ε^((2β+4)/3), ε^((2β+2)/3), ε^((2β+4)/3) and ε^((2β-2)/3)",
+        "For s = O(1) and every β the deviations of b, y, v, z and λ_N are, at leading order, at most of the sizes "
+        "ε^(2β/3), ε^((2β+4)/3), ε^((2β+2)/3), ε^((2β+4)/3) and ε^((2β-2)/3)",
         this.check(
             "bhat_inner, and the lowest power of δ in modelSysDevRecoverY to modelSysDevRecoverLN, inner scale", lowest
         ),
@@ -223,6 +223,7 @@ def _exponents() -> Entry:
             "(-t)^β with t = δ² s; λ = -b'/α_3, z = -ε² λ, y = 2 z, v = y' with a factor δ^(-2) for each derivative",
             chain,
         ),
+        note="They are smaller where Θ or its derivative vanishes: at β = 1, Θ = -τ, v has no term of this order.",
     )
 
 

@@ -10,6 +10,7 @@ from flint import arb, fmpq
 from gspot_verified import Outcome
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.paper.section_4 import section_4_matching as ledger
+from gspot_verified.theta_function.theta import theta
 
 
 def outcome(identifier: str) -> Outcome:
@@ -57,3 +58,9 @@ def test_the_powers_agree_in_numbers(beta: fmpq) -> None:
                     term *= logs[name] ** int(exponent)
             total += term
         assert abs(total - inner.log()) < arb("1e-50")
+
+
+def test_the_powers_bound_the_deviations_and_are_not_their_sizes_everywhere() -> None:
+    """At β = 1 the inner solution is -τ: b'' and with it v are 0."""
+    assert theta(fmpq(1, 2), 1, derivative=2).is_zero()
+    assert "at most of the sizes" in ledger.ENTRIES["4-exponents"]().statement

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from paper.bite import Bite, NotApplicable, Teeth, replaced, scaled, unseen_at
 
+from gspot_verified.paper.section_1 import section_1_cases
 from gspot_verified.paper.section_1 import section_1_outcomes as ledger
 
 ENTRIES = ledger.ENTRIES
@@ -15,6 +16,7 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.RATES, "p", unseen_at("p", (0, 1))),
         Bite("hypothesis", ledger, "SIGNS", lambda honest: (*honest, 0)),
         Bite("hypothesis", ledger.RATES, "p", lambda honest: f"{honest} + b"),
+        Bite("hypothesis", section_1_cases.CASES["1-case-II"], "alpha3", lambda _: "w"),
         Bite("order", ledger, "JORDAN", replaced("q*s", "q*s^2")),
     ),
     "1-attracting-signs": (
