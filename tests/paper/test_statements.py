@@ -40,6 +40,26 @@ def left_over(text: str, names: set[str]) -> list[str]:
     return [name for name in re.findall(r"(?<![\w:/-])[A-Za-z][\w:]*(?![\w:-])", text) if name in names]
 
 
+def beyond_its_runs(note: str, own: bool, on_runs: set[str]) -> list[str]:
+    """The sentences of a note that repeat an entry on runs, or speak of the model system in one, without the runs."""
+    found = []
+    for sentence in re.split(r"(?<=\.)\s+(?=[A-Z])", note):
+        named = any(re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", sentence) for name in on_runs)
+        if (named or (own and "the model system" in sentence)) and not re.search(r"\bruns?\b", sentence):
+            found.append(sentence)
+    return found
+
+
+def test_a_note_on_runs_says_so(whole_ledger: list[Entry]) -> None:
+    """What is shown of some runs is not shown of a system."""
+    on_runs = {entry.identifier for entry in whole_ledger if re.search(r"\bruns?\b", entry.statement)}
+    assert {"3-after-lift-off", "3-separatrix"} <= on_runs
+    notes = {
+        entry.identifier: beyond_its_runs(entry.note, entry.identifier in on_runs, on_runs) for entry in whole_ledger
+    }
+    assert {name: found for name, found in notes.items() if found} == {}
+
+
 def test_every_statement_is_a_sentence(whole_ledger: list[Entry]) -> None:
     assert [entry.statement for entry in whole_ledger if not is_a_sentence(entry.statement)] == []
 
@@ -87,3 +107,17 @@ def test_what_is_a_sentence(text: str, passes: bool) -> None:
 )
 def test_which_labels_are_left(text: str, left: list[str]) -> None:
     assert left_over(text, labels()) == left
+
+
+@pytest.mark.parametrize(
+    ("note", "own", "found"),
+    [
+        ("Contact is open. In the model system it is not lost again (3-a).", False, 1),
+        ("In the runs of the model system it is not lost again (3-a).", False, 0),
+        ("In the model system it is not.", True, 1),
+        ("In the model system it is not.", False, 0),
+        ("That it ends soon: 3-a. Its length: 3-a-b.", False, 1),
+    ],
+)
+def test_what_a_note_on_runs_must_say(note: str, own: bool, found: int) -> None:
+    assert len(beyond_its_runs(note, own, {"3-a"})) == found

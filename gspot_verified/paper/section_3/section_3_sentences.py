@@ -232,9 +232,9 @@ def _case_ii() -> Entry:
         corrected=f"for β = {CASE_II['beta']}, α_2 > 0 and every ε <= {REACHES}, of the starts of Figure 6 those with "
         "ν > 1 take an impact; ν = 1 is the trivial solution, a canard; those with ν < 1 lose contact, before p = 0 "
         "or, close to ν = 1, after it (3-case-II-starts)",
-        note="As ε → 0 the starts that pass and are not attracted shrink to the trivial solution: at a fixed ν < 1 "
-        "contact is lost before p = 0 once ε is small. On the slow manifold, for every β in (0, 1) and every ε, the "
-        "impact is that of C_1 < 0 (C-cases-I-II). The paper shows no picture of Case II.",
+        note="As ε → 0, at leading order, the starts that pass and are not attracted shrink to the trivial solution: "
+        "at a fixed ν < 1 contact is lost before p = 0 once ε is small. On the slow manifold, for every β in (0, 1) "
+        "and every ε, the impact is that of C_1 < 0 (C-cases-I-II). The paper shows no picture of Case II.",
     )
 
 
@@ -340,7 +340,7 @@ def _flight_ends() -> Entry:
             "y <= -e u² at u = 6 (|b|/2 + |v| + |y| + e)/|α_2| >= 1, for every e > 0: an explicit time",
             all_of([free_motion(), below_a_line()]),
         ),
-        note="That the touch-down comes shortly after the G-spot: 3-after-lift-off.",
+        note="That the touch-down comes shortly after the G-spot, in the simulated runs of Case III: 3-after-lift-off.",
     )
 
 

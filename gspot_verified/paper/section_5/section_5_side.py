@@ -114,7 +114,8 @@ def _side() -> Entry:
             f"{' and '.join(str((LARGEST_DELTA * part) ** 3) for part in SMALLER)}",
             all_of(float_runs_agree(amount) for amount in AMOUNTS),
         ),
-        note="At leading order in ε, for every β: S-side and S-iwc. Contact may be lost after such an impact, too.",
+        note="At leading order in ε, for every β that is not an integer: S-side (β > 1) and S-iwc (β < 1). Contact may "
+        "be lost after such an impact, too.",
     )
 
 

@@ -94,8 +94,8 @@ def _again() -> Entry:
             f"float runs ({FLOATS[0]}) have these events within {FLOAT_NEAR} of these times",
             all_of(floats_agree(case) for case in RUNS),
         ),
-        note="In the model system contact is not lost again (3-after-lift-off). More runs, longer ones, and what is "
-        "only seen: docs/after_lift_off.md. No infinite sequence is proved or excluded.",
+        note="In the simulated runs of the model system contact is not lost again (3-after-lift-off). More runs, "
+        "longer ones, and what is only seen: docs/after_lift_off.md. No infinite sequence is proved or excluded.",
     )
 
 
