@@ -91,9 +91,9 @@ def _start(name: str) -> Entry:
         name,
         LINES[name],
         r"\text{" + ", ".join(SEQUENCES[name]) + "}",
-        f"From φ = φ* + 1/10, φ-dot = {STARTS[name]}, y = v = 0, β = 7/3, κ = 0: rigid slip reaches the G-spot with a "
-        f"positive contact force, on the side of the distinguished trajectory from which, at leading order as ε → 0, "
-        f"there is a{'n' if what == 'impact' else ''} {what}",
+        f"From φ = φ* + 1/10, φ-dot = {STARTS[name]}, y = v = 0, β = 7/3, κ = 0: rigid slip, positive on a belt that "
+        "is fast enough, reaches the G-spot with a positive contact force, on the side of the distinguished trajectory "
+        f"from which, at leading order as ε → 0, there is a{'n' if what == 'impact' else ''} {what}",
         Check(Rung.BALLS, "proofs/approach.md: the path in rigid slip and C_1 in balls", takes(name), size),
         Check(
             Rung.POINTS,
