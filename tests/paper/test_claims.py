@@ -147,6 +147,22 @@ def unsaid(claim: PaperClaim, statements: Mapping[str, str]) -> list[str]:
     ]
 
 
+def lacks_the_bridge(claim: PaperClaim) -> bool:
+    """Whether a claim on a system in general rests on the leading order of the motivating example alone."""
+    in_the_example = 714 <= claim.first < 1316  # Sections 3 and 4
+    example = any(name.startswith("S-") for name in claim.entries) and "leading order" in f"{claim.words} {claim.why}"
+    return example and not in_the_example and not {"5-perturbation-theta", "5-matching"} <= set(claim.entries)
+
+
+def test_a_claim_on_general_systems_names_what_leads_there_from_the_example() -> None:
+    assert [claim.first for claim in paper_claims() if lacks_the_bridge(claim)] == []
+    bridge = ("5-perturbation-theta", "5-matching")
+    claim = PaperClaim(80, 82, "", "it divides them", ("S-side", *bridge), None, "at leading order")
+    assert not lacks_the_bridge(claim)
+    assert lacks_the_bridge(replace(claim, entries=("S-side", bridge[0])))
+    assert not lacks_the_bridge(replace(claim, first=1299, last=1301, entries=("S-side",)))
+
+
 def quantified(claim: PaperClaim, statements: Mapping[str, str]) -> bool:
     """Whether a claim on all of something has an entry on all of something, or a condition."""
     found = " ".join(statements[name] for name in claim.entries)

@@ -154,11 +154,13 @@ def _slow_manifold() -> Entry:
     this = _claim("5-slow-manifold")
 
     def balance(parts: Parts) -> list[fmpq_mpoly]:
-        # The parts are p times the printed right-hand sides; the force is lambda = z_o - y_o.
-        y, v, z = parts["y"], parts["v"], parts["z"]
-        force = z - y
+        # The parts are p times the printed right-hand sides: so is b, and v_o is 0; the force is lambda = z_o - y_o.
+        outer = PRINTED["5-outer-system"]
+        on_it = {name: parts[name] for name in "yvz"} | {"b": ALGEBRA.read("p*b")}
+        rates = [ALGEBRA.substitute(put(ALGEBRA.read(outer[name]), lam=outer["lambda"]), on_it) for name in "yvz"]
+        force = ALGEBRA.substitute(ALGEBRA.read(outer["lambda"]), on_it)
         return [
-            v, _SYMBOLS["b"] + force, z + force,
+            *rates,
             parts["xi"] - ALGEBRA.read("p*F") - _SYMBOLS["G"] * force,
             parts["b"] - ALGEBRA.read("p*alpha2") + _SYMBOLS["alpha3"] * force,
         ]  # fmt: skip
