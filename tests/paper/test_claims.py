@@ -40,6 +40,7 @@ RESTRICTIONS = {
     "fixed τ with dΘ/dτ not 0": r"dΘ/dτ is not 0|τ = O\(1\)|at a fixed τ",
     "half-line|each ε_0 at leading order": "τ_0",
     "belt that is fast enough": "belt",
+    "^The oscillator in positive slip": "positive slip",
     "at most of the sizes": r"at most|O\(|leading order, where",
     "defined for p < 0 too": "p < 0|p = 0 is reached",
     r"runs of Figure \d": r"\bruns?\b|start|Figure|[Pp]anel",
@@ -47,7 +48,7 @@ RESTRICTIONS = {
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
 """What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""
-AMONG = {"(?:some|one) series": "ε <=|10\\^-6", "chosen parameters": "chosen parameters"}
+AMONG = {"(?:some|one) series": "ε <=|10\\^-6", "1 % apart": "1 % apart", "chosen parameters": "chosen parameters"}
 """What a refuted statement says that there is, and the words by which its claim says among what it was looked for."""
 ELSEWHERE = {("3-case-II", 77), ("3-case-II", 366), ("4-unique-smooth", 808), ("2-trivial-zy", 1054)}
 """Refuted entries with claims in other lines that say the same: an error of one line refutes no other one by itself."""

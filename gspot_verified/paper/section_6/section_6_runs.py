@@ -166,8 +166,8 @@ def _time() -> Entry:
         "6-lift-off-time",
         "lines 2250 to 2252",
         r"\text{lift-off takes place just after } t=10^{-3}",
-        "First start, ε = 10^-6: at leading order the contact lifts off later than 10^-3 after p = 0, at a time that "
-        "rounds to the one printed digit, with the C_1 of this start",
+        "First start, on a belt that is fast enough, ε = 10^-6: at leading order the contact lifts off later than "
+        "10^-3 after p = 0, at a time that rounds to the one printed digit, with the C_1 of this start",
         Check(
             Rung.BALLS,
             "proofs/iwc.md, section 4, at both ends of the ball of C_1; proofs/approach.md for C_1",

@@ -133,9 +133,9 @@ def _fit() -> Entry:
         "6-theta-fit",
         "lines 2256 to 2259",
         r"\hat b\ \text{and the scaled}\ \Theta\ \text{fit each other very well for positive times}",
-        f"The oscillator, for every ε <= {DELTA**3} at once: a deviation from the expansion of order {ORDER} that is "
-        f"the slow one with the C_1 of the second start, to 4 decimals, at t = {FIRST} ε^(2/3) has a b that differs by "
-        f"less than {100 * FIT} % from C_1 κ^-β ε^(2β/3) Θ(τ), at t/ε^(2/3) = {_places()}",
+        f"The oscillator in positive slip, for every ε <= {DELTA**3} at once: a deviation from the expansion of order "
+        f"{ORDER} that is the slow one with the C_1 of the second start, to 4 decimals, at t = {FIRST} ε^(2/3) has a b "
+        f"that differs by less than {100 * FIT} % from C_1 κ^-β ε^(2β/3) Θ(τ), at t/ε^(2/3) = {_places()}",
         Check(Rung.BALLS, "proofs/uniform.md, Theorem U1: the deviation is followed, with its error", fits(), widest()),
         Check(
             Rung.POINTS,

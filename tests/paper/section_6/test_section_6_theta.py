@@ -157,7 +157,9 @@ def test_the_texts_name_what_is_followed(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(ledger, "difference", lambda: fmpq(1, 10**6))
     monkeypatch.setattr(ledger, "amount", lambda: fmpq(-60))
     fit, order = (ledger.ENTRIES[name]() for name in ("6-theta-fit", "6-order-15"))
-    assert fit.statement.startswith("The oscillator, for every ε <= 1/1000000 at once: a deviation from the expansion")
+    assert fit.statement.startswith(
+        "The oscillator in positive slip, for every ε <= 1/1000000 at once: a deviation from the expansion"
+    )
     assert "at t = -1 ε^(2/3) has a b that differs by less than 2 % from C_1" in fit.statement
     assert fit.statement.endswith("at t/ε^(2/3) = -15/17, -13/17, ..., 1")
     assert "at ε = 1/1000000 (LSODA), up to t = 0.0011: within 4 % of" in fit.checks[1].what
