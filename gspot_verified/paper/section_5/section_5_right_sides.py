@@ -16,8 +16,8 @@ SECTION = "Section 5, Theorem 1"
 Pair = tuple[int, int]
 SERIES: dict[str, Pair] = {"alpha": (0, -4), "lambda": (0, -4), "p": (1, -3), "z": (0, -1)}
 """The spaces of Theorem 1, and of a function by Lemma 2."""
-CLAIMED: dict[str, Pair] = {"r_b": (0, -4), "r_v": (1, -3), "r": (1, -3)}
-"""Lines 1622, 1636 and 1675."""
+CLAIMED: dict[str, Pair] = {"r_b": (0, -4), "r_v": (1, -3), "r": (1, -3), "r_xi": (0, -4)}
+"""Lines 1622, 1636, 1675 and 1718."""
 ORDERS = range(24)
 """n, where the monomials are written out."""
 ALGEBRA = Algebra("y z lam d delta")
@@ -39,7 +39,7 @@ def product_of(first: Pair, second: Pair) -> tuple[list[int], list[int]]:
 
 
 def right_sides() -> dict[str, tuple[list[int], list[int]]]:
-    """The indices less ν of all parts of r_b, r_v and r."""
+    """The indices less ν of all parts of r_b, r_v, r and r_ξ; F and G are functions of ξ as the α's are."""
     alpha, force, p, z = (SERIES[name] for name in ("alpha", "lambda", "p", "z"))
     sums_b, sums_v = product_of(alpha, force), product_of(p, force)
     r_b, r_v = CLAIMED["r_b"], CLAIMED["r_v"]
@@ -47,6 +47,7 @@ def right_sides() -> dict[str, tuple[list[int], list[int]]]:
     return {
         "r_b": ([alpha[0], *sums_b[0]], [alpha[1], *sums_b[1]]),
         "r_v": sums_v,
+        "r_xi": ([alpha[0], *sums_b[0]], [alpha[1], *sums_b[1]]),
         "r": ([r_b[0] - 2, z[1] - 1 - 3, r_b[0] + 1, r_v[0]], [r_b[1] - 2, z[0] - 3, r_b[1] + 1, r_v[1]]),
     }
 
@@ -73,7 +74,7 @@ def by_monomials(name: str) -> bool | None:
     answers = []
     for n in ORDERS:
         found: Iterable[int]
-        if name == "r_b":
+        if name in ("r_b", "r_xi"):
             found = {*monomials(alpha, n), *_products(alpha, force, n)}
         elif name == "r_v":
             found = _products(p, force, n)
@@ -88,10 +89,11 @@ def _right_sides() -> Entry:
     return settled(
         SECTION,
         "5-right-sides",
-        "lines 1622 to 1623, 1636 to 1637, 1675 to 1676",
-        r"r_{b,2\nu}\in P_\nu,\ r_{b,2\nu+1}\in P_{\nu-4};\ r_{v,n},r_n:\ P_{\nu+1},\ P_{\nu-3}",
-        "With the terms of lower order in the spaces of Theorem 1, r_b, r_v and r of order n are in the stated spaces, "
-        "for every n",
+        "lines 1622 to 1623, 1636 to 1637, 1675 to 1676, 1718 to 1719",
+        r"r_{b,2\nu},r_{\xi,2\nu}\in P_\nu,\ r_{b,2\nu+1},r_{\xi,2\nu+1}\in P_{\nu-4};\ "
+        r"r_{v,n},r_n:\ P_{\nu+1},\ P_{\nu-3}",
+        "With the terms of lower order in the spaces of Theorem 1, r_b, r_v, r and r_ξ of order n are in the stated "
+        "spaces, for every n",
         Check(
             Rung.EXACT,
             "the indices of the products of two terms, of derivatives and of s times a term, ν a symbol",
@@ -102,7 +104,8 @@ def _right_sides() -> Entry:
             f"all monomials for n < {len(ORDERS)}",
             all_of(by_monomials(name) for name in CLAIMED),
         ),
-        note="r_b and r_v have terms of lower orders of λ and of p of the orders up to n (step 1).",
+        note="r_b and r_v have terms of lower orders of λ and of p of the orders up to n (step 1); r_ξ, with the "
+        "corrected sum of 5-xinprime, has λ_n too (step 3).",
     )
 
 

@@ -18,7 +18,7 @@ def test_one_space_in_another(inner: int, outer: int) -> None:
     assert inside is ledger.is_part_of(inner, outer)
 
 
-@pytest.mark.parametrize("name", ["r_b", "r_v", "r"])
+@pytest.mark.parametrize("name", ["r_b", "r_v", "r", "r_xi"])
 def test_smaller_spaces_do_not_hold_them(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     assert ledger.by_indices(name) is ledger.by_monomials(name) is True
     even, odd = ledger.CLAIMED[name]

@@ -17,6 +17,7 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.SERIES, "z", lambda _: (1, -1)),
         Bite("order", ledger.CLAIMED, "r", lambda _: (1, -6)),
         Bite("order", ledger.CLAIMED, "r_v", lambda _: (2, -3)),
+        Bite("order", ledger.CLAIMED, "r_xi", lambda _: (0, -5)),
     ),
     "5-inner-slow": (
         Bite("factor", ledger.SLOW, "z", replaced("/2", "*1000003/2000000")),
