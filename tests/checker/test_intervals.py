@@ -102,7 +102,7 @@ def test_convolution(a: list[int], b: list[int]) -> None:
     assert numbers().convolution(a, b) == exact
 
 
-@pytest.mark.parametrize("count", [1, 2, 127, 128, 255, 256])
+@pytest.mark.parametrize("count", [1, 2, 127, 128, 255, 256, 400])
 def test_convolution_of_the_largest(count: int) -> None:
     """All coefficients as long as their length allows: none runs into the next one."""
     for sign in (1, -1):
@@ -164,3 +164,93 @@ def test_inverse(rows: list[list[int]]) -> None:
 def test_terms_and_lengths(q: Fraction, a: tuple[int, int], b: tuple[int, int], share: Fraction) -> None:
     assert holds(numbers().term(q, [a, b]), q * inside(a, share) * inside(b, share))
     assert value(numbers().length([a, b])) ** 2 >= inside(a, share) ** 2 + inside(b, share) ** 2
+
+
+@pytest.mark.parametrize(
+    ("pair", "found"),
+    [([1, -BITS], 1), ([-1, -BITS], -1), ([1, BITS - 1], 2 ** (2 * BITS - 1)), ([3, 0], 3 * 2**BITS), ([0, BITS], 0),
+     ([2**BITS - 1, 0], (2**BITS - 1) * 2**BITS), ([2 ** (2 * BITS) - 1, -BITS], 2 ** (2 * BITS) - 1)],
+)  # fmt: skip
+def test_numbers_are_read_exactly(pair: list[int], found: int) -> None:
+    assert numbers().read(pair) == found
+
+
+@pytest.mark.parametrize(
+    ("pair", "why"),
+    [
+        (1, "is not a number"), (None, "is not a number"), ("12", "is not a number"), ({"1": 1}, "is not a number"),
+        ([1], "is not a number"), ([1, 0, 0], "is not a number"), ([True, 0], "is not a number"),
+        ([1, "0"], "is not a number"), ([1, -BITS - 1], "is not a number"), ([0, BITS + 1], "is not a number"),
+        ([1, BITS], "too large"), ([2**BITS, 0], "too large"), ([2 ** (2 * BITS), -BITS], "too large"),
+    ],
+)  # fmt: skip
+def test_numbers_that_are_none(pair: Any, why: str) -> None:
+    with pytest.raises(limits.Rejected, match=why):
+        numbers().read(pair)
+
+
+def test_what_is_exact_stays_exact() -> None:
+    exact, one = numbers(), 2**BITS
+    assert exact.on([5], (one, one)) == (5, 5)
+    assert exact.on([5, -3], (one // 3, one // 3)) == (4, 5)
+    assert exact.product([[(3, 3), (one, one)]], [[(one, one)], [(-7, -7)]]) == [[(-4, -4)]]
+    assert exact.reciprocal((1, one)) == (one, one**2)
+    assert exact.length([(3, 3), (-4, 1)]) == 5
+    assert exact.common_denominator([Fraction(1, 15), Fraction(3), Fraction(-5, 9)]) == 45
+    assert exact.multiple(-3, [1, -2, 0]) == [-3, 6, 0]
+    assert exact.apply_up([[one, 2 * one], [0, 1]], [3, 4]) == [11, 1]
+
+
+def test_intervals_and_lengths() -> None:
+    assert intervals.wider((-3, 5), 7) == (-10, 12)
+    assert [intervals.size(ends) for ends in ((-3, 2), (-2, 3), (4, 5), (-5, -4))] == [3, 3, 5, 5]
+    assert intervals.longest([7, -(2**299), 1]) == 300 // limits.DIGIT + 1
+    assert intervals.longest([]) == 1
+
+
+def test_a_divisor_of_0() -> None:
+    with pytest.raises(limits.Rejected, match="a divisor is not certainly positive"):
+        numbers().reciprocal((0, 1))
+
+
+@pytest.mark.parametrize("q", [8, -8])
+def test_the_largest_angle(q: int) -> None:
+    assert len(numbers().sine_cosine(Fraction(q))) == 2
+
+
+LONG = {
+    "interval": (lambda n, v: n.interval(Fraction(v, v + 1)), 1),
+    "reciprocal": (lambda n, v: n.reciprocal((v, v)), 0),
+    "term": (lambda n, v: n.term(Fraction(v, v + 1), [(v, v)] * 3), 2),
+    "on": (lambda n, v: n.on([v] * 9, (0, 1)), 1),
+    "product": (lambda n, v: n.product([[(v, v)] * 2] * 2, [[(v, v)] * 2] * 2), 2),
+    "inverse": (lambda n, v: n.inverse([[v, 1], [1, v]]), 2),
+    "length": (lambda n, v: n.length([(v, v)] * 4), 2),
+    "apply_up": (lambda n, v: n.apply_up([[v] * 3] * 2, [v] * 3), 2),
+    "common_denominator": (lambda n, v: n.common_denominator([Fraction(1, v), Fraction(1, v + 1)]), 2),
+    "multiple": (lambda n, v: n.multiple(v, [v] * 5), 2),
+    "convolution": (lambda n, v: n.convolution([v] * 3, [v] * 3), 1),
+}
+"""Operations on numbers of a length, and how their work grows: with this power of the length."""
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_work_grows_with_the_lengths(name: str) -> None:
+    """From numbers of 1,000 digits of the processor to 4,000: four or sixteen times as much, and never nothing."""
+    operation, power = LONG[name]
+    paid = []
+    for count in (1000, 4000):
+        meter = limits.Meter(limits.Limits(), 10**12)
+        operation(intervals.Numbers(BITS, meter), 1 << (30 * count))
+        paid.append(10**12 - meter.left)
+        assert paid[-1] > count
+    assert paid[1] > paid[0] * 4**power * 3 // 4
+
+
+def test_work_of_sines_grows_with_the_bits() -> None:
+    paid = []
+    for bits in (64, 512):
+        meter = limits.Meter(limits.Limits(), 10**12)
+        intervals.Numbers(bits, meter).sine_cosine(Fraction(1, 3))
+        paid.append(10**12 - meter.left)
+    assert paid[1] > 8 * paid[0] > 0
