@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -80,6 +81,14 @@ def test_the_inequalities_at_random_states(count: int) -> None:
         least = a * a / abs(c * (kappa - a)) if slow else a * (s + a) / k
         q = between(0.9, 2) * abs(least) + between(0.3, 2) * eps / abs(a)
         at = {"force": sign() * between(0.03, 3), "W": W, "G": G, "D": D, "q": q}
+        near, S = between(0.98, 1.02), k * (of["k_1"] / of["damping"] * W + G)
+        if chance.random() < 0.3:  # k S is near a (s + a) λ, or a M
+            at["force"] = near * (S / a - D) / s if slow else near * S / (a * (s + a))
+        elif slow and chance.random() < 0.5:  # the bracket of (4) is near 0
+            slope, fast = eps * of["alpha_1"] * (1 - of["beta"]), a * (s + a) / k
+            least = max(q, fast + max(slope, Fraction(0)) / a) + max(-slope, Fraction(0)) / a
+            root = ((kappa + s) ** 2 + 4 * k * least) ** 0.5 - float(kappa + s)
+            c = (near * Fraction(root / float(2 * least))).limit_denominator(10**6)
         cone = [a, c] if slow else [a]
         expected = is_kept(of, eps, at, cone)
         assert said_of(of, eps, at, cone) == expected, (of, eps, at, cone)
@@ -92,3 +101,74 @@ def test_only_slip_that_nothing_else_ends() -> None:
     last = runs.phases(lines)[-1]
     lines[last]["cone"], lines[0]["statement"]["end"] = ["1/1000"], "for ever"
     assert runs.verdict(lines) == "REJECTED no cone in this phase of this scene"
+
+
+STILL = {"k_1": "1", "k_2": "1", "damping": "1", "alpha_1": "-1", "alpha_2": "-1", "beta": "1"}
+KEPT = {"force": "1", "W": "1", "G": "1", "D": "1", "q": "4"}  # s = 2, kappa = 1, S = 2, h = 0
+
+
+def judged(cone: list[str], parameters: dict[str, str] | None = None, **change: str) -> bool:
+    of = {name: Fraction(value) for name, value in (STILL | (parameters or {})).items()}
+    at = {name: Fraction(value) for name, value in (KEPT | change).items()}
+    numbers = [Fraction(v) for v in cone]
+    found = said_of(of, Fraction(1, 8), at, numbers)
+    assert found == (min(numbers[0], at["force"]) > 0 and is_kept(of, Fraction(1, 8), at, numbers))
+    return found
+
+
+def test_the_border_of_the_first_cone() -> None:
+    """k S = 2 at a = 1/2: a (s + a) λ = 5/4, which is 2 at λ = 8/5; G and W ≥ 0; q ≥ 5/4."""
+    assert judged(["1/2"])
+    assert judged(["1/2"], W="0", G="2")
+    assert judged(["1/2"], W="2", G="0")
+    assert not judged(["1/2"], W="4", G="-1/100")
+    assert not judged(["1/2"], W="-1/100", G="4")
+    assert judged(["1/2"], force="159/100")
+    assert not judged(["1/2"], force="161/100")
+    assert judged(["1/2"], q="126/100")
+    assert not judged(["1/2"], q="124/100")
+    assert not judged(["1/2"], D="49/100")
+
+
+def test_the_bracket_holds_as_far_as_the_first_cone() -> None:
+    """q = 3/10 rises to 9/16 before Theorem R1 takes over: 1 - 3c - 9/16 c² ≥ 0."""
+    still = {"alpha_2": "0"}
+    assert judged(["1/4", "5/16"], still, q="3/10")
+    assert not judged(["1/4", "63/200"], still, q="3/10")
+
+
+def test_a_force_of_0_and_a_rate_of_0() -> None:
+    assert not judged(["1/2"], force="0")
+    assert not judged(["0"])
+    assert not judged(["0", "1/4"])
+
+
+def test_the_load_does_not_fall() -> None:
+    assert judged(["1/2"], {"alpha_1": "0"})
+    assert not judged(["1/2"], {"alpha_1": "1/100"})
+
+
+@pytest.mark.parametrize(("phase", "slides", "coupled"), [("flight", 0, 0), ("slip", 1, 0), ("slip", 0, 1)])
+def test_each_condition_of_the_scene(phase: str, slides: int, coupled: int) -> None:
+    scene, system = SimpleNamespace(slides=bool(slides), coupled=bool(coupled)), SimpleNamespace(phase=phase)
+    with pytest.raises(limits.Rejected, match="no cone in this phase of this scene"):
+        run.contact_for_ever(scene, system, {}, None, ["1/2"])
+
+
+@pytest.mark.parametrize("name", ["Y", "V", "Z", "b"])
+def test_the_inequalities_hold_on_the_whole_box(name: str) -> None:
+    """About a state inside of the cone: a wide interval of one state leaves it, a narrow one does not."""
+    scene = model.Scene(
+        ["compliant_contact", "lift_off"], "1/8", "1", STILL, {"b": "3", "p": "-4", "v": "0", "y": "-1", "z": "0"}
+    )
+    exact = {"Y": -4, "V": -1, "Z": -3, "b": 3, "T": 0}  # λ = 1, W = 1, G = 1, D = 3
+    numbers = intervals.Numbers(BITS, limits.Meter(limits.Limits(), 10**9))
+    for width, kept in (Fraction(1, 100), True), (Fraction(9), False):
+        box = {n: numbers.interval(Fraction(v)) for n, v in exact.items()}
+        box[name] = intervals.wider(box[name], int(width * numbers.one))
+        for cone in ["1/4"], ["1/4", "1/8"]:
+            try:
+                run.contact_for_ever(scene, model.System(scene, "slip"), box, numbers, cone)
+                assert kept
+            except limits.Rejected:
+                assert not kept
