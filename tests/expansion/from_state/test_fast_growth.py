@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpq_mpoly
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.strategies import to_fmpq
@@ -21,7 +21,7 @@ from gspot_verified.expansion.from_state.fast_growth import (
     fast_matrix,
     surplus,
 )
-from gspot_verified.expansion.from_state.slow_series import Contact, slow_series, terms_of
+from gspot_verified.expansion.from_state.slow_series import RING, Contact, H, R, slow_series, terms_of
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 from gspot_verified.numbers.balls import ball, working_bits
 
@@ -188,3 +188,86 @@ def test_the_leading_parts_of_the_surplus_are_those_of_lemma_r1(
     }
     for (i, j, size), parts in expected.items():
         assert leading(i, j, size) == {key: value for key, value in parts.items() if value != 0}
+
+
+@pytest.mark.parametrize("h", [fmpq(1, 8), fmpq(1, 2)], ids=["m rises most", "m falls most"])
+def test_the_shares_are_the_numbers_of_the_page(h: fmpq) -> None:
+    """(5) with kappa = 6/5, g = 10, l = 9/5: upper bounds, and no larger ones."""
+    kappa, g, l, r = fmpq(6, 5), fmpq(10), fmpq(9, 5), fmpq(3, 4)  # noqa: E741 - the page's name
+    beta, k_1, k_2 = fmpq(7, 3), fmpq(3, 2), fmpq(2)
+    m = max(k_2 * l / g * r, (beta - fmpq(1, 2)) / 2 * h)
+    d = 1 - m**2 / kappa - (k_1 * r) ** 2 * l / g**2
+    with working_bits(BITS):
+        norm = Norm(slow_series(beta, Contact.of(Regularisation.of(2, 3, "1/2")), 1), k_1, k_2)
+        shares = norm.shares(Rectangle(h, r))
+    assert shares is not None
+    with working_bits(3 * BITS):
+        for share, square in zip(shares, (1 / (kappa * d), 1 / d, l / (g**2 * d)), strict=True):
+            assert share.is_exact()
+            assert ball(square) < share**2 < ball(square) * (1 + arb("1e-30"))
+
+
+def test_a_norm_at_the_edge_is_none() -> None:
+    """d = 0: kappa = 1 and m = -1 at h = 1."""
+    series = slow_series(fmpq(5, 2), Contact.of(Regularisation.of(2, 2, 1)), 1)
+    norm = Norm(series, fmpq(0), fmpq(0))
+    with working_bits(BITS):
+        assert norm.shares(Rectangle(fmpq(1), fmpq(1))) is None
+        assert norm.shares(Rectangle(1 - fmpq(1, 10**6), fmpq(1))) is not None
+    for weights in ((fmpq(-1, 9), fmpq(1)), (fmpq(1), fmpq(-1, 9))):
+        with pytest.raises(ValueError, match="must not be negative"):
+            Norm(series, *weights)
+
+
+def diagonal(first: fmpq_mpoly) -> list[list[fmpq_mpoly]]:
+    """A matrix whose first entry decides: the second one is r(h + r), as it is in N, the last one is 1."""
+    zero, one = RING.constant(0), RING.constant(1)
+    return [[first, zero, zero], [zero, H * R + R * R, zero], [zero, zero, one]]
+
+
+def grown_with(matrix: list[list[fmpq_mpoly]], monkeypatch: pytest.MonkeyPatch) -> Growth:
+    """Lemma 1 for this N on 0 < h <= 1/2, 0 < r <= 3/4."""
+    monkeypatch.setattr("gspot_verified.expansion.from_state.fast_growth.surplus", lambda *_: matrix)
+    with working_bits(BITS):
+        norm = Norm(slow_series(fmpq(5, 2), Contact.of(PAPER), 1), fmpq(1), fmpq(1, 2))
+        return fast_growth(norm, Rectangle(fmpq(1, 2), fmpq(3, 4)), fmpq(1), fmpq(1, 9))
+
+
+@pytest.mark.parametrize(
+    ("first", "where"),
+    [
+        (H * R + R * R, ""),
+        (H * R - fmpq(1, 2) * R * R, "<= h/r <="),
+        (R * R - fmpq(1, 2) * H * R, "<= r/h <="),
+        ((H + R) * R * (1 - fmpq(5, 3) * R), "<= h/r <="),
+        ((H + R) * R * (1 - fmpq(5, 4) * R), ""),
+        ((H + R) * R * (1 - fmpq(5, 2) * H), "N is not certainly"),
+        ((H + R) * R * (1 - fmpq(3, 2) * H), ""),
+    ],
+    ids=["all", "small h/r fails", "small r/h fails", "r > 3/5 fails", "to r = 4/5", "h > 2/5 fails", "to h = 2/3"],
+)
+def test_both_charts_cover_the_rectangle_and_no_more(
+    first: fmpq_mpoly, where: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = grown_with(diagonal(first), monkeypatch)
+    assert (found.evidence is not None) is (where == "")
+    assert where in found.where
+    if found.evidence is not None:
+        covering = [fact for fact in found.evidence.facts if "cover" in fact]
+        assert [fact.split("cover")[1].lstrip("s ") for fact in covering] == ["[0, 1] x [0, 3/4]", "[0, 1] x [0, 1/2]"]
+        assert sum(1 if fact.startswith("one ") else int(fact.split()[0]) for fact in covering) == found.boxes
+        assert len(found.evidence.facts) >= found.boxes + len(covering)
+        assert any(fact.startswith("0 < ") for fact in found.evidence.facts)
+
+
+def test_boxes_that_leave_something_out_show_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    positive = _Chart.positive
+
+    def shortened(chart: _Chart) -> object:
+        parts, where = positive(chart)
+        return parts[1:], where
+
+    monkeypatch.setattr(_Chart, "positive", shortened)
+    found = grown_with(diagonal(H * R + R * R), monkeypatch)
+    assert found.evidence is None
+    assert found.where == "the boxes do not cover the rectangle"
