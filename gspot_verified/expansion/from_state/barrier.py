@@ -19,9 +19,8 @@ from gspot_verified.numbers.verdict import Evidence
 
 Monomials = dict[tuple[int, int], arb]
 """Upper bounds of the coefficients of h^i r^n."""
-_ROOM = fmpq(
-    1, 4
-)  # a source is paid at once when its own growth is larger than the rate by so much: any number is right
+_ROOM = fmpq(1, 4)
+"""A source is paid at once when its own growth is larger than the rate by so much: any number from 0 on is right."""
 
 
 @dataclass(frozen=True)

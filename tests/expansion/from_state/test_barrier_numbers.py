@@ -323,3 +323,22 @@ def test_with_few_bits_a_bound_is_larger() -> None:
         pairs = coarse_and_fine(bound)
         assert pairs
         assert all(fine < coarse < fine * arb("1.001") for coarse, fine in pairs), name
+
+
+def test_of_wide_balls_the_largest_number_counts() -> None:
+    """r in a ball; Gamma in [3, 4], where 4 h^2 r^3 has E = 3/2 and 40 h^3 r^2 has E = 7/2, perhaps below Gamma."""
+    one = good()
+    assert one.drift(arb("0.125", "0.0625")) >= one.drift(arb("0.1875"))
+    terms = paid({(1, 4): arb(1)}, arb("3.5", "0.5"), fmpq(1, 4))
+    assert isinstance(terms, dict)
+    for key, least in (((2, 3), 4), ((3, 2), 40), ((4, 1), 80)):
+        assert least <= terms.pop(key) < least + arb("0.001")
+    assert not terms
+    with working_bits(COARSE):  # the sum of two bounds is rounded up, too
+        half = replace(one, barrier={(1, 0): arb(1)}, start=replace(START, z=arb((1, -90))))
+        assert half.bound(arb("0.25"), arb(1)) > fmpq(1, 2)
+
+
+def test_a_norm_that_is_none_gives_no_tube() -> None:
+    wide = Rectangle(fmpq(9), RECTANGLE.r)
+    assert tube(NORM, GROWTH, wide, START, LARGEST) == "the norm is not certainly positive definite"
