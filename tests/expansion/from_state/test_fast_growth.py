@@ -271,3 +271,10 @@ def test_boxes_that_leave_something_out_show_nothing(monkeypatch: pytest.MonkeyP
     found = grown_with(diagonal(H * R + R * R), monkeypatch)
     assert found.evidence is None
     assert found.where == "the boxes do not cover the rectangle"
+
+
+@pytest.mark.parametrize("first", [H * H + R * R, RING.constant(1), H + R])
+def test_an_entry_of_too_low_an_order_is_refused(first: fmpq_mpoly, monkeypatch: pytest.MonkeyPatch) -> None:
+    """h^2 over h^2 u: where r/h = u = 0 it is not finite."""
+    with pytest.raises(ArithmeticError, match="the entry has the monomial"):
+        grown_with(diagonal(first), monkeypatch)

@@ -18,7 +18,7 @@ from gspot_verified.expansion.from_state.barrier import Start, Tube
 from gspot_verified.expansion.from_state.fast_growth import Rectangle
 from gspot_verified.expansion.from_state.hand_over import HandOver, carried, evaluated, hand_over_set
 from gspot_verified.expansion.from_state.model_system import model_system
-from gspot_verified.expansion.from_state.slow_series import Contact, H, R, slow_series, terms_of
+from gspot_verified.expansion.from_state.slow_series import Contact, H, R, SlowSeries, slow_series, terms_of
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
@@ -30,6 +30,7 @@ H_1 = fmpq(4, 27)  # (a S^3)^(-1/2): the tube ends where the set is handed over
 SPRINGS = Regularisation.of(2, 3, "1/2")
 KAPPA, LAG = mpf(6) / 5, mpf(9) / 50  # kappa, l/g
 SERIES = slow_series(BETA, Contact.of(SPRINGS), 3)
+OTHER = replace(SERIES, v=-2 * SERIES.v, f=20 * H)  # any polynomials are right: here f and -v are large
 SHARES = (arb("1.25"), arb("1.5"), arb("0.75"))
 SIZE = (mpf(9) / 4) ** (mpf(4) / 3)  # (a S)^(beta - 1)
 ROOT = mpf(3) / 2  # sqrt(a S)
@@ -57,8 +58,8 @@ def equations() -> DeviationEquations:
         return DeviationEquations(trajectory, DELTA)
 
 
-def handed(z: str, c_1: str) -> HandOver:
-    return hand_over_set(equations(), tube(z), SERIES, arb(c_1), FAR)
+def handed(z: str, c_1: str, series: SlowSeries = SERIES) -> HandOver:
+    return hand_over_set(equations(), tube(z), series, arb(c_1), FAR)
 
 
 def number(value: fmpq) -> mpf:
@@ -78,21 +79,24 @@ def summed(polynomial: Any, h: mpf, r: mpf) -> mpf:
     return sum((number(c) * h**i * r**n for (i, n), c in terms_of(polynomial).items()), mpf(0))
 
 
-def corner(c: mpf, z: mpf, delta: mpf, signs: tuple[int, int, int]) -> tuple[list[mpf], mpf]:
+def corner(
+    c: mpf, z: mpf, delta: mpf, signs: tuple[int, int, int], series: SlowSeries = SERIES
+) -> tuple[list[mpf], mpf]:
     """(13): e over delta^mu, and f, for this C(S); |x_1|, |x_2|, |x_3| are as large as z allows."""
     h, r = number(H_1), ROOT * delta
     first, second, third = (sign * in_mpmath(share) * z for sign, share in zip(signs, SHARES, strict=True))
     l = -c * SIZE  # noqa: E741 - the page's name
-    v, w, f = (summed(one, h, r) for one in (SERIES.v, SERIES.w, SERIES.f))
+    v, w, f = (summed(one, h, r) for one in (series.v, series.w, series.f))
     e_b, e_v = -(ROOT**2) * l, l * (v / delta + first * ROOT)
     fast = l * (r**2 * f - LAG * v + (third - LAG * first) * r)
     e_y = (fast - l * (1 + w + second)) / KAPPA
     return [mpf(0), e_b, delta**4 * e_y, delta**2 * e_v, mpf(0), e_b, e_y, e_v], fast
 
 
+@pytest.mark.parametrize("series", [SERIES, OTHER], ids=["the slow part", "any polynomials"])
 @pytest.mark.parametrize("c_1", ["-0.75", "0.5"])
-def test_every_corner_lies_in_the_set_and_some_at_its_edge(c_1: str) -> None:
-    found = handed("0.05", c_1)
+def test_every_corner_lies_in_the_set_and_some_at_its_edge(c_1: str, series: SlowSeries) -> None:
+    found = handed("0.05", c_1, series)
     z = in_mpmath(found.z)
     assert abs(z - mpf("0.05")) < mpf(10) ** -40
     column = [in_mpmath(found.frame[i, 5]) for i in range(8)]
@@ -100,7 +104,7 @@ def test_every_corner_lies_in_the_set_and_some_at_its_edge(c_1: str) -> None:
     radii, reached, fast = [in_mpmath(one) for one in found.radii], [mpf(0)] * 8, mpf(0)
     deltas = [number(DELTA) * share for share in (mpf(1), mpf(1) / 2, mpf(10) ** -9)]
     for c, delta, *signs in product(ends(found.coefficient), deltas, *[(1, -1)] * 3):
-        e, f = corner(c, z, delta, (signs[0], signs[1], signs[2]))
+        e, f = corner(c, z, delta, (signs[0], signs[1], signs[2]), series)
         share = e[5] / column[5]
         u = [one - share * column[i] if i != 5 else share - 1 for i, one in enumerate(e)]
         reached = [max(old, abs(one)) for old, one in zip(reached, u, strict=True)]
@@ -109,10 +113,37 @@ def test_every_corner_lies_in_the_set_and_some_at_its_edge(c_1: str) -> None:
     assert [in_mpmath(one) for one in found.centre] == [0, 0, 0, 0, 0, 1, 0, 0]
     for i in range(8):
         assert reached[i] <= radii[i] + mpf(10) ** -40
-        assert radii[i] <= mpf("1.02") * reached[i] + mpf(10) ** -40
+        assert radii[i] <= mpf("1.05") * reached[i] + mpf(10) ** -40
     assert found.fast.is_exact()
-    assert fast <= in_mpmath(found.fast) <= mpf("1.02") * fast
+    assert fast <= in_mpmath(found.fast) <= mpf("1.05") * fast
     assert all(radii[i] < part * abs(column[i]) for i, part in ((5, 0.03), (6, 0.2), (7, 0.5)))
+
+
+@pytest.mark.parametrize("c_1", ["-0.7", "0.3", "-0.55", "0.9"])
+def test_with_few_bits_the_slow_vector_lies_in_the_set_too(c_1: str) -> None:
+    """Without a fast part little but the rounding of the frame is left."""
+    with working_bits(24):
+        found = handed("0", c_1)
+    column = [in_mpmath(found.frame[i, 5]) for i in range(8)]
+    for c in ends(found.coefficient):
+        for delta in (number(DELTA), mpf(10) ** -9):
+            e, fast = corner(c, mpf(0), delta, (1, 1, 1))
+            for i, radius in enumerate(found.radii):
+                u = e[5] / column[5] - 1 if i == 5 else e[i] - e[5] / column[5] * column[i]
+                assert abs(u) <= in_mpmath(radius) + mpf(10) ** -40
+            assert abs(fast) <= in_mpmath(found.fast)
+
+
+def test_with_few_bits_the_start_is_not_lost() -> None:
+    """w = h from h_1 = e_0/p_1^(3/2) to h = 0: log C_1 moves by 2 beta h_1/3."""
+    series = replace(SERIES, w=H)
+    for k in range(3, 20):
+        start = replace(tube("0").start, p=fmpq(k, 7), e=fmpq(1, 5 * k))
+        one = replace(tube("0"), barrier={}, start=start, rate=arb(-(10**4)))
+        with working_bits(8):
+            found = carried(one, series, arb(0), arb("0.0625"))
+        moved = 2 * number(BETA) / 3 * number(start.e) / number(start.p) ** mpf("1.5")
+        assert ends(found)[0] <= 0 < moved <= ends(found)[1]
 
 
 def test_the_coefficient_is_carried_to_the_hand_over() -> None:
@@ -125,10 +156,10 @@ def test_the_coefficient_is_carried_to_the_hand_over() -> None:
 
 def test_what_the_slow_part_and_the_tube_do_to_the_coefficient() -> None:
     """(12) at every e up to e_0, and its ends."""
-    series = replace(SERIES, w=fmpq(1, 3) * H**2 + fmpq(3, 7) * H**3 * R)
+    series = replace(SERIES, w=fmpq(1, 3) * H**2 + fmpq(3, 7) * H * R)
     one, p = replace(tube("0"), barrier={}), mpf(4) / 9
     h, r = arb("0.125"), arb("0.0625")
-    terms = {(2, 0): (mpf(1) / 3, mpf(3)), (3, 1): (mpf(3) / 7, mpf(4))}
+    terms = {(2, 0): (mpf(1) / 3, mpf(3)), (1, 1): (mpf(3) / 7, mpf(1))}
     largest = number(A * DELTA**3) / p ** mpf("1.5")
 
     def moved(nearest: mpf, r: mpf) -> mpf:
