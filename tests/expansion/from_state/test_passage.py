@@ -86,7 +86,9 @@ def test_what_is_rounded_up_lies_above_the_whole_ball() -> None:
             rounded_up(none)
 
 
-@pytest.mark.parametrize(("b", "side", "share"), [("-1", 1, fmpq(5, 3)), ("-1/4", -1, fmpq(1, 3))])
+@pytest.mark.parametrize(
+    ("b", "side", "share"), [("-1", 1, fmpq(5, 3)), ("-1/2", 1, fmpq(1, 3)), ("-1/4", -1, fmpq(1, 3))]
+)
 def test_what_theorem_b_is_asked(b: str, side: int, share: fmpq, monkeypatch: pytest.MonkeyPatch) -> None:
     """h_1 >= (a S^3)^(-1/2), r_1 >= sqrt(p_1), e_0 = a delta_0^3, (8), and each z_max, the smallest first."""
     asked: list[Any] = []
