@@ -260,7 +260,7 @@ def test_what_is_made_of_a_passage(side: int, word: str, monkeypatch: pytest.Mon
     assert found.verdict.statement.endswith(ends)
 
 
-@pytest.mark.parametrize("last", [0, 1, 7, 13, 19, 20, 21])
+@pytest.mark.parametrize("last", range(len(DELTAS) + 1))
 def test_a_search_finds_the_largest_wherever_it_stands(last: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """DELTAS[last:] are proved; past the end: none."""
     asked: list[fmpq] = []
