@@ -81,6 +81,15 @@ def test_parts_take_the_place_of_a_piece() -> None:
     assert touching(patchwork) == expected
 
 
+def test_a_group_of_one_batch_is_none_of_another() -> None:
+    """Pieces with one number hold one spot: those of another batch count from where it begins."""
+    patchwork = Patchwork(MAP)
+    patchwork.add_cells([[piece(0, 4, 0, 2), piece(0, 4, 2, 4)]], [0, 1])
+    patchwork.add_cells([[piece(4, 8, 0, 2), piece(4, 8, 2, 4)]], [1, 1])
+    patchwork.replace(1, [piece(0, 2, 2, 4), piece(2, 4, 2, 4)], [0, 1])
+    assert patchwork.groups == [0, 1, 3, 3, 4, 5]
+
+
 def asked(patchwork: Patchwork, own: set[int], place: tuple[fmpq, ...] = (fmpq(0), fmpq(0))) -> list[int]:
     with working_bits(80):
         return [number for number, _ in patchwork.divisible(own, SQUARE, place, [arb(0)])]

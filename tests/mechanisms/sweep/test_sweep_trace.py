@@ -72,6 +72,22 @@ def test_no_tube_is_a_choice_too() -> None:
     assert trace.tube(ROOT, *BOX, search) is not None
 
 
+def test_a_search_in_vain_is_noted() -> None:
+    trace = TubeTrace()
+    assert trace.tube(ROOT, *BOX, lambda: None) is None
+    assert trace.met == [None]
+
+
+@pytest.mark.parametrize(
+    "place", [[1.5, 0], [1, 2.0], [True, 0], ["1", 0], [2**4000, 0], [-(2**4000), 0], [1, 4001], [1, -4001]]
+)
+def test_what_is_no_number_of_a_journal(place: list[Any]) -> None:
+    assert read_choice([[[-(2**3999), -4000]], [[[1, 4000]]], [[0, 0]]]) is not None
+    for data in ([[place], [[[1, 0]]], [[1, 0]]], [[[1, 0]], [[place]], [[1, 0]]], [[[1, 0]], [[[1, 0]]], [place]]):
+        with pytest.raises(ValueError, match="a number"):
+            read_choice(data)
+
+
 @given(st.floats(2.0**-60, 2.0**60) | st.floats(0, 1))
 def test_a_radius_comes_back(radius: float) -> None:
     for ball in (arb(0, radius), arb(0, arb(radius).sqrt()), arb(0, (3, -5))):

@@ -72,6 +72,12 @@ def test_angles_that_are_counted_from_a_reference() -> None:
         theta = dict(row.point)["theta"]
         assert theta is not None
         assert theta.to_ball().sin().overlaps(arb(angle.sine))
+        (other,) = classify_table(rod, [{"mu": "8/5"}])
+        height, turned = (dict(other.point)[word] for word in ("Y", "theta"))
+        assert height is not None
+        assert turned is not None
+        assert turned.to_ball().sin().overlaps(height.to_ball())  # l = 1: the tip is on the ground
+        assert not turned.to_ball().overlaps(theta.to_ball())
 
 
 def test_a_row_that_is_wrong_is_refused_alone() -> None:
@@ -104,12 +110,18 @@ def test_the_same_for_every_executor_and_after_a_kill(tmp_path: Path, monkeypatc
     assert whole.count(b"\n") == 4
     path.write_bytes(whole[:-20])
     done: list[int] = []
-    with ThreadPoolExecutor(1) as pool:
+    asked: list[int] = []
+    with ThreadPoolExecutor(1, initializer=asked.append, initargs=(1,)) as pool:
         assert list(classify_table(ROD, rows, journal=path, executor=pool, progress=done.append)) == expected
     assert done == [3, 6, 8]
+    assert asked
     assert path.read_bytes() == whole
     other = rods(7, seed=6)
-    assert list(classify_table(ROD, other, journal=path)) == list(classify_table(ROD, other))
+    found = list(classify_table(ROD, other))
+    assert list(classify_table(ROD, other, journal=path)) == found
+    with monkeypatch.context() as patch:
+        patch.setattr(module, "searched", lambda *_: pytest.fail("the tubes of the other table are known now"))
+        assert list(classify_table(ROD, other, journal=path)) == found
     with pytest.raises(ValueError, match="not a journal of this question"):
         classify_table(ROD, [{"mu": 2}], journal=path)
 

@@ -54,6 +54,7 @@ def test_a_wrong_mapping_is_refused_alone() -> None:
     rows: list[Any] = [{"mu": 1}, {"L": 1}, {}, {"mu": 1, "L": 2}, {"mu": 0.5}]
     first, *others = parameter_rows(ROD, rows).rows
     assert first.values == (fmpq(1),)
+    assert [row.number for row in (first, *others)] == [1, 2, 3, 4, 5]
     assert [row.values for row in others] == [None] * 4
     assert [row.given for row in others[:3]] == [(("mu", ""),), (("mu", ""),), (("mu", "1"),)]
     assert "values of nothing; those of mu are needed" in others[1].wrong
