@@ -56,8 +56,9 @@ def simulators(
 ) -> None:
     """What simulators say of slip, beside what is certified. Runs in floats prove nothing.
 
-    Run are the compliant contact of the paper by scipy, Moreau's and Jean's time stepping, and MuJoCo where it is
-    installed; tables of others are read with --trajectory. Exit code as `approach`: that of the certified answer.
+    Run are the compliant contact of the paper by scipy, Moreau's and Jean's time stepping, and MuJoCo and Drake where
+    they are installed; tables of others are read with --trajectory. Exit code as `approach`: that of the certified
+    answer.
     """
     from gspot_verified.scenes.simulators.comparison import EPSILONS
     from gspot_verified.scenes.simulators.comparison import simulators as compared

@@ -21,6 +21,7 @@ from gspot_verified.mechanisms.derive.lie_derivatives import vanishes_identicall
 from gspot_verified.mechanisms.foreign.names import coordinate_names, renamed_text
 from gspot_verified.mechanisms.input.given import MAX_COORDINATES, from_energies
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, exact_rational
+from gspot_verified.mechanisms.input.planar_links import PlanarJoint, PlanarLink, PlanarLinks
 
 Vector = tuple[Any, Any]
 Turned = dict[Any, Vector]
@@ -136,7 +137,50 @@ def planar_mechanism(
         **_named_options(options, words),
     )
     refuse_impossible(mechanism)
-    return replace(mechanism, remarks=(plane.remark(), *renamed_text(words), *remarks))
+    links = _links(bodies, joints, plane, touching.joints, point)
+    return replace(mechanism, remarks=(plane.remark(), *renamed_text(words), *remarks), bodies=links)
+
+
+def _links(
+    bodies: Sequence[Body], joints: Sequence[Joint], plane: _Plane, touching: Sequence[Joint], point: Vector
+) -> PlanarLinks:
+    """The bodies that move and have a mass in the plane, those behind the same joints as one."""
+    numbers = {joint: i for i, joint in enumerate(joints)}
+    groups: dict[tuple[int, ...], list[Body]] = {}
+    for body in bodies:
+        if body.joints and body.mass != 0:
+            groups.setdefault(tuple(numbers[joint] for joint in body.joints), []).append(body)
+    return PlanarLinks(
+        joints=tuple(
+            PlanarJoint(
+                joint.is_hinge,
+                _floats(plane.of(joint.anchor if joint.is_hinge else joint.axis)),
+                -1 if joint.is_hinge and joint.axis.dot(plane.n) < 0 else 1,
+                float(joint.reference),
+                float(joint.armature),
+            )
+            for joint in joints
+        ),
+        links=tuple(_as_one(behind, group, plane) for behind, group in groups.items()),
+        touching=tuple(numbers[joint] for joint in touching),
+        point=_floats(point),
+    )
+
+
+def _as_one(joints: tuple[int, ...], bodies: Sequence[Body], plane: _Plane) -> PlanarLink:
+    """Bodies that are fixed to one another; Steiner's theorem."""
+    places = [plane.of(body.centre) for body in bodies]
+    mass = sum(body.mass for body in bodies)
+    x, y = (sum(body.mass * place[i] for body, place in zip(bodies, places, strict=True)) / mass for i in (0, 1))
+    inertia = sum(
+        (plane.n.T * body.inertia * plane.n)[0] + body.mass * ((place[0] - x) ** 2 + (place[1] - y) ** 2)
+        for body, place in zip(bodies, places, strict=True)
+    )
+    return PlanarLink(joints, float(mass), float(inertia), _floats((x, y)))
+
+
+def _floats(vector: Vector) -> tuple[float, float]:
+    return (float(vector[0]), float(vector[1]))
 
 
 def _point(name: str, values: Sequence[Any]) -> Any:

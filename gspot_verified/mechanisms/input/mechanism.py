@@ -20,6 +20,7 @@ from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.formulas.rewriting import replaced
 from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant
 from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
+from gspot_verified.mechanisms.input.planar_links import PlanarLinks
 from gspot_verified.numbers.balls import ExactInput, exact
 from gspot_verified.numbers.shown import Shown
 
@@ -108,9 +109,10 @@ class Mechanism(Shown):
     :func:`file.read_mechanism`.
 
     Either ``x`` or ``slip_velocity`` is given. ``mirrored`` says that x, or the slip velocity, has the opposite sign of
-    what the user gave: negative slip there is positive slip here. ``drawing`` is no part of what a mechanism is: two
-    that differ in nothing else are equal. ``remarks`` say what a reader must know of how it came in. ``assumed``: pairs
-    such as (parameter, "positive"), in sympy's words, where formulas were simplified under that.
+    what the user gave: negative slip there is positive slip here. ``drawing``, and ``bodies`` for other programs, are
+    no part of what a mechanism is: two that differ in nothing else are equal. ``remarks`` say what a reader must know
+    of how it came in. ``assumed``: pairs such as (parameter, "positive"), in sympy's words, where formulas were
+    simplified under that.
     """
 
     name: str
@@ -128,6 +130,7 @@ class Mechanism(Shown):
     drawing: Drawing | None = field(default=None, compare=False)
     remarks: tuple[str, ...] = ()
     assumed: tuple[tuple[str, str], ...] = ()
+    bodies: PlanarLinks | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
         parameters = ", ".join(name for name, _ in self.parameters) or "none"

@@ -22,7 +22,8 @@ from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators.contact_floats import ContactFloats, contact_floats
 from gspot_verified.scenes.simulators.moreau_jean import moreau_jean
 from gspot_verified.scenes.simulators.penalty import penalty
-from gspot_verified.scenes.simulators.planar_body import PlanarBody, planar_body
+from gspot_verified.scenes.simulators.planar_body import planar_model
+from gspot_verified.scenes.simulators.planar_model import PlanarModel
 from gspot_verified.scenes.simulators.programs import PROGRAMS, Installed, Program, installed
 from gspot_verified.scenes.simulators.simulated import (
     IMPULSE,
@@ -115,9 +116,10 @@ def simulators(
 
     Run are the paper's compliant contact by scipy for each of ``epsilons``, and Moreau's and Jean's steps for each
     of ``steps`` (times the certified time), with both choices where a step has several solutions. Of ``programs`` those
-    that are installed are run with the same steps, where the mechanism is one rigid body. ``files`` are CSV tables of
-    other simulators: a column t, one for each component of the state, and force where it is known. All start in the
-    state that is certified.
+    that are installed are run with the same steps, where the mechanism is one rigid body or came from a file of bodies
+    (from_urdf, from_mjcf): they are told its bodies and its own free accelerations, and add their contact. ``files``
+    are CSV tables of other simulators: a column t, one for each component of the state, and force where it is known.
+    All start in the state that is certified.
 
     At a G-spot the certified side is the paper's statement as epsilon -> 0; a simulator with a contact of another
     kind need not obey it. No rigid contact leaves the surface before, for there rigid slip is certified to last.
@@ -142,12 +144,12 @@ def simulators(
         judge.check_start(name, table)
     runs = [judge.run(*case) for case in judge.simulations(epsilons, steps)]
     others = installed(programs) if steps else Installed((), ())
-    body, notes = None, list(others.missing)
+    model, notes = None, list(others.missing)
     if others.found:
-        body, why = judge.body()
-        notes += [f"{each.name}: {each.differs if body is not None else f'not run: {why}'}" for each in others.found]
-    if body is not None:
-        runs += [judge.run(*case) for each in others.found for case in judge.steps_of(each, body, steps)]
+        model, why = judge.model()
+        notes += [f"{each.name}: {each.differs if model is not None else f'not run: {why}'}" for each in others.found]
+    if model is not None:
+        runs += [judge.run(*case) for each in others.found for case in judge.steps_of(each, model, steps)]
     runs += [judge.judged(name, "", table) for name, table in tables]
     return SimulatorComparison(certified, tuple(runs), tuple(notes))
 
@@ -207,21 +209,21 @@ class _Judge:
                     f"{name}: the table begins with {word} = {value:.6g}, and the certified state has {wanted:.6g}"
                 )
 
-    def body(self) -> tuple[PlanarBody | None, str]:
+    def model(self) -> tuple[PlanarModel | None, str]:
         """The mechanism as other programs know it, or why it cannot be told to them."""
         if self.velocity:
             return None, "the surface moves"
         try:
-            return planar_body(self.functions, self.start), ""
+            return planar_model(self.mechanism.bodies, self.functions, self.start), ""
         except SceneError as error:
             return None, str(error)
 
     def steps_of(
-        self, program: Program, body: PlanarBody, steps: Sequence[float]
+        self, program: Program, model: PlanarModel, steps: Sequence[float]
     ) -> Iterator[tuple[str, str, Callable[[], Simulated]]]:
         """As :meth:`simulations`, of another program."""
         for step in steps:
-            for settings, motion in program.runs(body, step * self.time, _LATER * self.time):
+            for settings, motion in program.runs(model, step * self.time, _LATER * self.time):
                 yield f"{program.name} {program.version}", settings, motion
 
     def run(self, simulator: str, settings: str, motion: Callable[[], Simulated]) -> SimulatorRun:

@@ -9,34 +9,36 @@ import pytest
 from gspot_verified import from_sympy, load
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators.contact_floats import contact_floats
-from gspot_verified.scenes.simulators.planar_body import PlanarBody, planar_body
+from gspot_verified.scenes.simulators.planar_body import planar_model
+from gspot_verified.scenes.simulators.planar_model import PlanarModel
 
 START = (0.0, math.sin(0.8), 0.8, 5.0, 3.3 * math.cos(0.8), 3.3)
 
 
-def the_rod() -> PlanarBody:
-    return planar_body(contact_floats(load("rod with a wrist")), START)
+def the_rod() -> PlanarModel:
+    return planar_model(None, contact_floats(load("rod with a wrist")), START)
 
 
 def test_mass_inertia_and_arm_are_those_of_the_file() -> None:
     """m = l = 1, J = m l^2/3, mu = 3/2; the tip is X + cos(theta), Y - sin(theta): the angle counts from X to -Y."""
     rod = the_rod()
-    assert (rod.mass, rod.inertia, rod.friction) == pytest.approx((1, 1 / 3, 1.5))
-    assert (rod.places, rod.turn) == ((0, 1, 2), -1)
-    assert rod.arm == pytest.approx((math.cos(0.8), -math.sin(0.8)))
+    ((link,), angle) = rod.bodies.links, rod.bodies.joints[2]
+    assert (link.mass, link.inertia, rod.friction) == pytest.approx((1, 1 / 3, 1.5))
+    assert (rod.order, angle.turn, angle.is_hinge) == ((0, 1, 2), -1, True)
+    assert rod.bodies.point == pytest.approx((math.cos(0.8), -math.sin(0.8)))
 
 
-def test_forces_are_gravity_push_and_wrist() -> None:
-    """-9.81 - 5 on Y, -5 (theta - 0.9) - theta' on theta, so its negative on the angle from X to Y."""
+def test_accelerations_are_of_gravity_push_and_wrist() -> None:
+    """(-9.81 - 5)/m on Y, (-5 (theta - 0.9) - theta')/J on theta."""
     state = [0.3, 2.0, 1.1, 4.0, 1.0, -2.0]
-    assert the_rod().forces(state) == pytest.approx([0, -14.81, 5 * 0.2 - 2.0])
+    assert the_rod().accelerations(state) == pytest.approx([0, -14.81, 3 * (-5 * 0.2 + 2.0)])
 
 
 def test_a_state_goes_there_and_back() -> None:
     rod, state = the_rod(), [0.3, 2.0, 1.1, 4.0, 1.0, -2.0]
-    assert rod.moved(START) == pytest.approx([0, 0, 0])
-    assert rod.moved(state)[2] == pytest.approx(-0.3)
-    assert rod.state(rod.moved(state), rod.rates(state)) == pytest.approx(state)
+    assert rod.places(START) == pytest.approx([0, 0, 0])
+    assert rod.places(state)[2] == pytest.approx(0.3)
+    assert rod.state(rod.places(state), rod.rates(state)) == pytest.approx(state)
 
 
 def test_an_angle_from_x_to_y_in_another_order() -> None:
@@ -46,10 +48,11 @@ def test_an_angle_from_x_to_y_in_another_order() -> None:
     angle, high, far = dynamicsymbols("angle high far")
     contact = {"x": far - 2 * sympy.sin(angle), "y": high + 2 * sympy.cos(angle) + 1, "mu": 1}
     block = from_sympy((sympy.diag(4, 3, 3), [0, -7, 5]), coordinates=[angle, high, far], contact=contact)
-    body = planar_body(contact_floats(block), [0.0, -3.0, 1.0, 0.0, 0.0, 1.0])
-    assert (body.places, body.turn, body.mass, body.inertia) == ((2, 1, 0), 1, pytest.approx(3), pytest.approx(4))
-    assert body.arm == pytest.approx((0, 2))
-    assert body.forces([0.0, -3.0, 1.0, 0.0, 0.0, 1.0]) == pytest.approx([5, -7, 0])
+    found = planar_model(None, contact_floats(block), [0.0, -3.0, 1.0, 0.0, 0.0, 1.0])
+    ((link,), turn) = found.bodies.links, found.bodies.joints[2].turn
+    assert (found.order, turn, link.mass, link.inertia) == ((2, 1, 0), 1, pytest.approx(3), pytest.approx(4))
+    assert found.bodies.point == pytest.approx((0, 2))
+    assert found.accelerations([0.0, -3.0, 1.0, 0.0, 0.0, 1.0]) == pytest.approx([5 / 3, -7 / 3, 0])
 
 
 @pytest.mark.parametrize(
@@ -69,10 +72,10 @@ def test_what_is_no_such_body(masses: tuple[int, int, int], x: str, y: str, mu: 
         "body", ["far", "high", "angle"], rows, [0, -9, 0], y=f"high + {y}", mu=mu, x=f"far + {x}", parameters={}
     )
     with pytest.raises(SceneError, match=message):
-        planar_body(contact_floats(found), [0.1, 0.2, 0.5, 1.0, 0.3, 0.4])
+        planar_model(None, contact_floats(found), [0.1, 0.2, 0.5, 1.0, 0.3, 0.4])
 
 
 def test_other_numbers_of_coordinates() -> None:
     oscillator = contact_floats(load("oscillator"))
     with pytest.raises(SceneError, match="only one rigid body with two places and one angle"):
-        planar_body(oscillator, [0.0] * len(oscillator.names))
+        planar_model(None, oscillator, [0.0] * len(oscillator.names))
