@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import json
 
+import pytest
 import simulators_picture
 
 PAGE = simulators_picture.DATA.with_suffix(".md")
 
 
-def test_the_file_is_what_the_script_draws() -> None:
-    kept = simulators_picture.PLACE.read_text(encoding="utf-8")
-    assert simulators_picture.picture() == kept, "run: python docs/extensions/simulators_picture.py"
+@pytest.mark.parametrize("name", simulators_picture.panels())
+def test_the_file_is_what_the_script_draws(name: str) -> None:
+    kept = (simulators_picture.STATIC / name).read_text(encoding="utf-8")
+    assert simulators_picture.picture(name) == kept, "run: python docs/extensions/simulators_picture.py"
+    assert f"(static/{name})" in PAGE.read_text(encoding="utf-8")
 
 
 def rows_after(heading: str) -> list[list[str]]:
