@@ -11,7 +11,13 @@ from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.derive.lie_derivatives import vanishes_identically
 from gspot_verified.mechanisms.foreign.compared import Compared, compare
 from gspot_verified.mechanisms.foreign.exact_formulas import ExactFormulas
-from gspot_verified.mechanisms.foreign.names import coordinate_names, mechanism_name, parameter_names, renamed_text
+from gspot_verified.mechanisms.foreign.names import (
+    coordinate_names,
+    mechanism_name,
+    once,
+    parameter_names,
+    renamed_text,
+)
 from gspot_verified.mechanisms.foreign.sympy_equations import SympyEquations, sympy_equations, time_symbol
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED
@@ -98,8 +104,10 @@ def from_sympy(
         _symmetric(name, made.pop("mass_matrix")),
         parameters=values,
         x=made.pop("x", None),
-        angles={read.component(key): pair for key, pair in (angles or {}).items()},
-        place={read.component(key): read.value(value, "g_spot") for key, value in place.get("point", {}).items()},
+        angles=read.components("angles", angles or {}),
+        place={
+            key: read.value(value, "g_spot") for key, value in read.components("point", place.get("point", {})).items()
+        },
         fixed=None if place.get("fixed") is None else [read.component(key) for key in place["fixed"]],
         search=place.get("search", False),
         time=_TIME if read.has_time else None,
@@ -218,6 +226,12 @@ class _Translation:
         """
         import sympy
 
+        symbols_given = {str(key): key for key in given if not isinstance(key, str)}
+        spelled = [
+            *((key, name) for name, key in symbols_given.items()),
+            *((k, k) for k in given if isinstance(k, str)),
+        ]
+        once(f"{self._name}: parameters", spelled)
         values = {str(key): value if value is None else self._formulas(value, f"parameter {key}")
                   for key, value in given.items()}  # fmt: skip
         used = {symbol for value in values.values() if value is not None for symbol in value.free_symbols}
@@ -269,6 +283,14 @@ class _Translation:
             )
         words = self._given | {f"{word}_dot": f"{here}_dot" for word, here in self._given.items()}
         return table.get(key) or words.get(str(key), str(key))
+
+    def components(self, where: str, given: Mapping[Any, Any]) -> dict[str, Any]:
+        """The values by the names here.
+
+        :raises MechanismError: one is given twice.
+        """
+        names = once(f"{self._name}: {where}", ((key, self.component(key)) for key in given))
+        return dict(zip(names, given.values(), strict=True))
 
     def value(self, value: Any, where: str) -> Any:
         """A formula of parameters and reference angles; a text is one in the names here."""

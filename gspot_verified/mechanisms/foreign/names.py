@@ -93,6 +93,26 @@ def _free(word: str, taken: set[str], ends: tuple[str, ...]) -> str:
     return word
 
 
+def once(where: str, given: Iterable[tuple[object, str]]) -> list[str]:
+    """The second of each pair, a name, if no two are the same; the first is how it was given.
+
+    :raises MechanismError: two are; the message shows how both were given.
+
+    >>> once("parameters", [("m", "m"), ("k", "k")])
+    ['m', 'k']
+    >>> once("place", [("y", "q_y"), ("q_y", "q_y")])
+    Traceback (most recent call last):
+    ...
+    gspot_verified.mechanisms.input.mechanism.MechanismError: place: 'y' and 'q_y' are the same, q_y: give it once
+    """
+    known: dict[str, object] = {}
+    for shown, name in given:
+        if name in known:
+            raise MechanismError(f"{where}: {known[name]!r} and {shown!r} are the same, {name}: give it once")
+        known[name] = shown
+    return [*known]
+
+
 def renamed_text(names: Mapping[str, str]) -> list[str]:
     """What a reader is told of names that were changed.
 

@@ -18,7 +18,7 @@ from typing import Any
 
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.derive.lie_derivatives import vanishes_identically
-from gspot_verified.mechanisms.foreign.names import coordinate_names, renamed_text
+from gspot_verified.mechanisms.foreign.names import coordinate_names, once, renamed_text
 from gspot_verified.mechanisms.input.given import MAX_COORDINATES, from_energies
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, exact_rational
 from gspot_verified.mechanisms.input.planar_links import PlanarJoint, PlanarLink, PlanarLinks
@@ -323,7 +323,8 @@ def _named_options(options: Mapping[str, Any], words: Mapping[str, str]) -> dict
     given = {key: value for key, value in options.items() if value is not None}
     for key in ("place", "angles"):
         if key in given:
-            given[key] = {table.get(name, name): value for name, value in given[key].items()}
+            names = once(key, ((name, table.get(name, name)) for name in given[key]))
+            given[key] = dict(zip(names, given[key].values(), strict=True))
     if "fixed" in given:
         given["fixed"] = [table.get(name, name) for name in given["fixed"]]
     return given

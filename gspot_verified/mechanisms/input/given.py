@@ -155,6 +155,9 @@ class FormulaReader:
             (self.component(word, "G-spot:"), self._read(value, f"G-spot, {word}", self._constants))
             for word, value in place.items()
         )
+        twice = next((word for i, (word, _) in enumerate(values) if word in dict(values[:i])), None)
+        if twice is not None:
+            raise MechanismError(f"{self._name}: G-spot: {twice} is given twice")
         given = dict(options)
         regularisation = self._regularisation(given.pop("regularisation", None))
         drawing = self._drawing(motion, contact, given.pop("drawing", None))

@@ -406,3 +406,17 @@ def test_the_component_of_a_general_speed_is_refused() -> None:
         of_arm(by_kane(u1, u1 + u2), g_spot={"point": {u2: 1}})
     found = of_arm(by_kane(), g_spot={"point": {u2: 1, q1: h}})
     assert [word for word, _ in found.place.values] == ["q2_dot", "q1"]
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        ({"parameters": {m: 2, "m": 3, g: 10}}, "parameters: m and 'm' are the same, m"),
+        ({"g_spot": {"point": {"x": 0, "q_x": 1}}}, "point: 'x' and 'q_x' are the same, q_x"),
+        ({"g_spot": {"point": {x: 0, "x": 1}}}, "point: .* and 'x' are the same, q_x"),
+        ({"angles": {x: ("3/5", "4/5"), "x": (0, 1)}}, "angles: .* and 'x' are the same, q_x"),
+    ],
+)
+def test_one_name_in_two_spellings(options: dict[str, Any], why: str) -> None:
+    with pytest.raises(MechanismError, match=why):
+        of_block(**options)

@@ -192,3 +192,9 @@ def test_the_operations_of_a_drawing_are_counted_apart() -> None:
     assert block(circles).drawing is not None
     with pytest.raises(MechanismError, match=f"more than {MAX_OPERATIONS} operations"):
         block([*circles, circles[0]])
+
+
+def test_a_place_in_two_spellings() -> None:
+    micro, greek = "\N{MICRO SIGN}", "\N{GREEK SMALL LETTER MU}"
+    with pytest.raises(MechanismError, match=f"G-spot: {greek} is given twice"):
+        lagrangian("drop", [greek, "y"], [[1, 0], [0, 1]], [0, -1], greek, "y", 0, place={micro: 0, greek: 1})
