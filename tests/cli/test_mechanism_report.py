@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import re
+from importlib import resources
 from pathlib import Path
 
 import pytest
 from jsonschema import Draft202012Validator
 
+from gspot_verified import mechanism_report
 from gspot_verified.cli import main
 from gspot_verified.cli.app import schema_name
 from gspot_verified.cli.schema import schema_of
@@ -145,3 +148,28 @@ def test_a_page_that_cannot_be_written_after_the_work_is_exit_code_74(
     assert code == 74
     assert "refuted    That there is a G-spot" in out
     assert "was NOT written" in err
+
+
+@pytest.mark.usefixtures("no_work")
+def test_what_is_read_is_not_replaced(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    files = {name: tmp_path / name for name in ("own.toml", "scene.toml", "g-spot-1.toml", "mechanism.toml")}
+    for path in files.values():
+        path.write_text(shipped_text("rod"), encoding="utf-8")
+    scene = (resources.files("gspot_verified.scenes") / "data" / "rod.toml").read_text(encoding="utf-8")
+    files["scene.toml"].write_text(re.sub(r"(?m)^mechanism = .*$", 'mechanism = "own.toml"', scene), encoding="utf-8")
+    before = {path: path.read_bytes() for path in files.values()}
+    for words in (
+        ("--mechanism", "own.toml", "--scene", "scene.toml"),
+        ("--mechanism", "g-spot-1.toml"),
+        ("--mechanism", "folder/../mechanism.toml"),
+    ):
+        code, _, errors = run(capsys, "report", *words, "--output", ".")
+        assert code == 64
+        assert "is read, and the report would take its place" in errors
+    assert {path: path.read_bytes() for path in files.values()} == before
+    with pytest.raises(FileExistsError, match="is read"):
+        mechanism_report("mechanism.toml", tmp_path)

@@ -207,11 +207,15 @@ def _report_on(
 ) -> NoReturn:
     from gspot_verified.cli.approach_output import components
     from gspot_verified.cli.load import given_values
-    from gspot_verified.report.mechanism.mechanism_report import mechanism_report
+    from gspot_verified.report.mechanism.mechanism_report import check_not_replaced, mechanism_report
     from gspot_verified.report.mechanism.page import PAGE, write_pages
 
     outputs = Outputs()
     outputs.folder("--output", folder)
+    try:
+        check_not_replaced(folder, name, scene)
+    except FileExistsError as error:
+        raise ValueError(f"--output: {error}") from None
     starts = [components(state) for state in states or []]
     result = mechanism_report(
         name, settings=given_values(settings), states=starts, scene=scene, budget=budget, progress=progress

@@ -9,10 +9,11 @@ from pathlib import Path
 from gspot_verified.mechanisms.input.mechanism import MechanismError, exact_rational
 from gspot_verified.mechanisms.load import mechanism_text
 from gspot_verified.numbers.balls import ExactInput
-from gspot_verified.report.mechanism.page import write_pages
+from gspot_verified.report.mechanism.page import WRITTEN, write_pages
 from gspot_verified.report.mechanism.report import MechanismReport, report_on
 from gspot_verified.report.mechanism.runs import State, check_state, report_scene
 from gspot_verified.report.mechanism.subject import Source
+from gspot_verified.scenes.scene.file import files_read
 
 FILE = "mechanism.toml"
 """The name of the copy of the mechanism's file beside the page."""
@@ -44,7 +45,8 @@ def mechanism_report(
     :raises MechanismError: no such mechanism, a part of it is wrong, or a parameter has no value.
     :raises StateError: a state names no component, or too few. (From one with p <= 0 nothing is stated.)
     :raises SceneError: no such scene, or it is that of another mechanism.
-    :raises OSError: the folder cannot be written; checked before the work.
+    :raises OSError: the folder cannot be written, or a file that is read there would be replaced; checked before the
+        work.
 
     >>> report = mechanism_report("falling-rod-lower-friction", settings={"mu": "13/10"})
     >>> report.exit_code, report.search.text.partition(":")[0]
@@ -52,6 +54,7 @@ def mechanism_report(
     """
     if directory is not None:
         _check_folder(Path(directory))
+        check_not_replaced(Path(directory), name_or_path, scene)
     text, origin = mechanism_text(name_or_path)
     missing = [key for key, value in (settings or {}).items() if value is None]
     if missing:
@@ -69,6 +72,16 @@ def mechanism_report(
     if directory is not None:
         write_pages(report, Path(directory))
     return report
+
+
+def check_not_replaced(directory: Path, name_or_path: str | Path, scene: str | None) -> None:
+    """Passes where no file of the report takes the place of the mechanism's file, or of the scene's files.
+
+    :raises FileExistsError: one does.
+    """
+    for read in (Path(name_or_path), *([] if scene is None else files_read(scene))):
+        if os.path.isfile(read) and read.resolve().parent == directory.resolve() and WRITTEN.fullmatch(read.name):
+            raise FileExistsError(f"{read} is read, and the report would take its place; choose another folder")
 
 
 def _check_folder(directory: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 from pathlib import Path
 
 from gspot_verified.report.mechanism.report import MechanismReport
@@ -12,6 +13,8 @@ from gspot_verified.report.site import rendered, style
 from gspot_verified.report.write import make_folder, replace_file
 
 PAGE, DATA = "mechanism.html", "mechanism.json"
+WRITTEN = re.compile(r"(mechanism\.(toml|html|json)|scene\.toml|g-spot-[0-9]+.*)")
+"""The names of the files of a report."""
 SCHEMA = "gspot-verified/mechanism-report/1"
 
 

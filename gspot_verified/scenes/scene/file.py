@@ -41,6 +41,7 @@ without units, in those of the mechanism.
 from __future__ import annotations
 
 import json
+import os
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -116,6 +117,23 @@ def load_scene(name_or_path: str | Path, /, **settings: ExactInput | None) -> Sc
             raise SceneError(f"{shown!r} {_IS_A_MECHANISM}")
         raise SceneError(f"no scene file {shown!r}, and no scene of that name{hint}; there are: {', '.join(SHIPPED)}")
     return scene.with_settings(**settings)
+
+
+def files_read(name_or_path: str | Path) -> list[Path]:
+    """The files that :func:`load_scene` reads: that of the scene, and that of its mechanism, if it names one.
+
+    >>> files_read("rod")
+    []
+    """
+    path = Path(name_or_path)
+    if name_or_path in SHIPPED or not os.path.isfile(path):  # False also for what can be no path
+        return []
+    try:
+        table = toml_table(_text(path))
+    except ValueError:  # load_scene says what is wrong
+        return [path]
+    named = table.text("mechanism") if table.is_text("mechanism") else ""
+    return [path, *([path.parent / named] if named.endswith(".toml") else [])]
 
 
 def scene_file_schema() -> dict[str, Any]:
