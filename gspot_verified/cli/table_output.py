@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import NoReturn
 
 import typer
 
@@ -11,14 +11,12 @@ from gspot_verified.cli.app import progress
 from gspot_verified.cli.output import Outputs
 from gspot_verified.numbers.counted import counted
 
-if TYPE_CHECKING:
-    from gspot_verified.mechanisms.input.mechanism import Mechanism
-
 _SAID = 1_024  # rows between two plain lines of progress
 
 
 def write_classified_table(
-    mechanism: Mechanism,
+    name: str,
+    settings: list[str] | None,
     table: Path,
     output: Path | None,
     workers: int,
@@ -29,26 +27,29 @@ def write_classified_table(
 
     :raises ValueError: no output is named, or it cannot be written.
     """
+    from gspot_verified.cli.load import load_with_settings
     from gspot_verified.mechanisms.table.classify_table import classify_table
+    from gspot_verified.work.draft import draft
     from gspot_verified.work.executors import executor
 
     if output is None:
         raise ValueError("--table needs --output, the file for its answers")
     outputs = Outputs()
-    outputs.file("--output", output)
-    outputs.file("--journal", journal)
+    outputs.reads(name)
     if table.exists() and output.exists() and table.samefile(output):
         raise ValueError(f"--output and --table name the same file {output}")
+    outputs.reads(table)
+    outputs.file("--output", output)
+    outputs.file("--journal", journal)
+    mechanism = load_with_settings(name, settings)
     counts: dict[str, int] = {}
-    unfinished = output.with_name(output.name + ".part")
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         rows = classify_table(mechanism, table, executor=pool, journal=journal, progress=_show)
-        with unfinished.open("w", encoding="utf-8", newline="") as file:
+        with draft(output) as unfinished, unfinished.open("w", encoding="utf-8", newline="") as file:
             for row in rows:
                 file.write(row.to_csv() if counts else row.csv_head() + row.to_csv())
                 what = row.outcome if row.case is None else f"{row.outcome}, {_case(row.case)}"
                 counts[what] = counts.get(what, 0) + 1
-    outputs.write("--output", output, lambda: unfinished.replace(output))
     total = sum(counts.values())
     typer.echo(f"{mechanism.name}: {counted(total, 'row')}")
     for what, count in sorted(counts.items()):

@@ -99,3 +99,20 @@ def test_a_killed_run_goes_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert journal.read_bytes().count(b"\n") > kept.count(b"\n")
     assert main(words) == code == 0
     assert capsys.readouterr().out == again
+
+
+def test_a_table_beside_a_journal_of_any_name(tmp_path: Path) -> None:
+    table, journal = tmp_path / "table.csv", tmp_path / "table.csv.part"
+    words = ["sweep", "genot_brogliato_rod", "--over", "mu=1.5..1.6:1", "--csv", str(table), "--journal", str(journal)]
+    assert main(words) == 0
+    assert journal.read_text(encoding="utf-8").startswith('{"journal"')
+    assert table.read_text(encoding="utf-8").startswith("mu_lower,")
+
+
+def test_no_two_columns_have_one_name(tmp_path: Path) -> None:
+    """The oscillator has a parameter beta, and beta is a number of the G-spot, too."""
+    table = tmp_path / "table.csv"
+    assert main(["sweep", "oscillator", "--over", "beta=9/4..5/2:1", "--csv", str(table)]) == 0
+    head = table.read_text(encoding="utf-8").splitlines()[0].split(",")
+    assert len(set(head)) == len(head)
+    assert {"beta_lower", "spot_beta_lower"} <= set(head)

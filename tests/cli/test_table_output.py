@@ -10,6 +10,7 @@ from killed import killed_after
 
 from gspot_verified import classify_table, load
 from gspot_verified.cli import main
+from gspot_verified.mechanisms.shipped import shipped_text
 
 WORDS = ["classify", "genot_brogliato_rod", "--table"]
 
@@ -86,3 +87,16 @@ def test_a_wrong_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert "column 1: falling rod of Génot and Brogliato has no parameter 'nu'" in capsys.readouterr().err
     assert not output.exists()
     assert main([*WORDS, str(tmp_path / "missing.csv"), "--output", str(output)]) == 64
+
+
+def test_what_is_read_is_not_replaced(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Neither the mechanism's file, nor a table that has the name a draft of the answers once had."""
+    own, given = tmp_path / "own.toml", tmp_path / "answers.csv.part"
+    own.write_text(shipped_text("genot_brogliato_rod"), encoding="utf-8")
+    given.write_text("mu\n2\n", encoding="utf-8")
+    words = ["classify", str(own), "--table", str(given), "--output"]
+    assert main([*words, str(own)]) == 64
+    assert "is what the command reads" in capsys.readouterr().err
+    assert main([*words, str(tmp_path / "answers.csv")]) == 0
+    assert given.read_text(encoding="utf-8") == "mu\n2\n"
+    assert own.read_text(encoding="utf-8") == shipped_text("genot_brogliato_rod")

@@ -82,7 +82,7 @@ def classify(
     if table is not None:
         alone = {"--all": everywhere, "--box": box, "--budget": budget, "--from": from_state, "--verbose": verbose}
         refuse("not with --table, whose answers are the rows of --output", alone | {"--json": as_json})
-        write_classified_table(load_with_settings(name, settings), table, output, workers, scheduler, journal)
+        write_classified_table(name, settings, table, output, workers, scheduler, journal)
     only = {"--output": output, "--scheduler": scheduler, "--journal": journal, "--workers": workers != 1}
     refuse("only with --table", only)
     if from_state is not None:

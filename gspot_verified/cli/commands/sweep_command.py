@@ -14,6 +14,7 @@ from gspot_verified.cli.commands.mechanism_commands import MechanismName
 from gspot_verified.cli.output import PICTURES, Outputs
 from gspot_verified.cli.work_options import JournalFile, Scheduler, Workers
 from gspot_verified.numbers.counted import done_of
+from gspot_verified.work.draft import draft
 
 _SAID = 32  # cells and pieces between two plain lines of progress
 
@@ -108,10 +109,8 @@ def _assignments(option: str, texts: list[str]) -> dict[str, str]:
 
 def _replace(path: Path, lines: Iterable[str]) -> None:
     """Write a file whole or not at all."""
-    unfinished = path.with_name(path.name + ".part")
-    with unfinished.open("w", encoding="utf-8") as file:
+    with draft(path) as unfinished, unfinished.open("w", encoding="utf-8") as file:
         file.writelines(lines)
-    unfinished.replace(path)
 
 
 def _show(done: int, of: int) -> None:

@@ -25,6 +25,23 @@ _RADIUS_BITS = 28  # two less than FLINT's 30 for a radius: room to come back wi
 
 NO_NUMBERS = PackedIntervals([None] * len(NUMBERS))
 
+
+def columns(*groups: tuple[str, Sequence[str]]) -> list[str]:
+    """The names of the columns of a table, no two the same: one that is taken gets its group's prefix.
+
+    >>> columns(("", ["beta_lower", "case"]), ("spot_", ["beta_lower", "beta_upper"]))
+    ['beta_lower', 'case', 'spot_beta_lower', 'beta_upper']
+    """
+    made: list[str] = []
+    for prefix, names in groups:
+        for name in names:
+            free = name
+            while free in made:
+                free = f"{prefix or '_'}{free}"
+            made.append(free)
+    return made
+
+
 Intervals = tuple[Dyadic, ...]
 
 

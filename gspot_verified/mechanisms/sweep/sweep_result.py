@@ -10,7 +10,7 @@ from flint import fmpq
 
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
-from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, PieceRow, SweepPiece, piece_row
+from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, PieceRow, SweepPiece, columns, piece_row
 from gspot_verified.numbers.balls import ExactInput, approximate, exact, float_bounds
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
@@ -242,16 +242,19 @@ class Sweep(NoTruthValue, Written):
         return counts
 
     def to_csv(self) -> str:
-        """One line for each piece: its ends exactly and as decimals, bounds of the numbers rounded outward."""
+        """One line for each piece: its ends exactly and as decimals, bounds of the numbers rounded outward.
+
+        Where a parameter has the name of a number, as beta, the columns of that begin with ``spot_``.
+        """
         return "".join(self.csv_lines())
 
     def csv_lines(self) -> Iterator[str]:
         """The lines of :meth:`to_csv` with their line feeds, one after the other."""
         names = [axis.name for axis in self.axes]
-        head = [f"{name}_{end}{form}" for name in names for end in ("lower", "upper") for form in ("", "_exact")]
-        head += ["kind", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "unsure"]
-        head += [f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")]
-        yield ",".join(head) + "\n"
+        ends = [f"{name}_{end}{form}" for name in names for end in ("lower", "upper") for form in ("", "_exact")]
+        words = ["kind", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "unsure"]
+        bounds = [f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")]
+        yield ",".join(columns(("", ends), ("answer_", words), ("spot_", bounds))) + "\n"
         yield from (_csv_line(piece) + "\n" for piece in self.pieces)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
+from gspot_verified.mechanisms.sweep.sweep_piece import columns
 from gspot_verified.numbers.balls import float_bounds
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue
@@ -64,10 +65,18 @@ class ClassifiedRow(NoTruthValue, Written):
         return _line([*(text for _, text in self.given), *words, *bounds])
 
     def csv_head(self) -> str:
-        """The names of the columns, as a line of CSV: the same for all rows of one table."""
+        """The names of the columns, as a line of CSV: the same for all rows of one table.
+
+        One that is taken by a parameter or a number before it begins with ``answer_``, ``spot_`` (a number) or
+        ``state_``.
+        """
         words = ["outcome", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "reason", "warnings"]
-        ends = [f"{name}_{end}" for name, _ in (*self.numbers, *self.point) for end in ("lower", "upper")]
-        return _line([*(name for name, _ in self.given), *words, *ends])
+        groups = (("", [name for name, _ in self.given]), ("answer_", words))
+        return _line(columns(*groups, ("spot_", _ends(self.numbers)), ("state_", _ends(self.point))))
+
+
+def _ends(numbers: Sequence[tuple[str, Dyadic | None]]) -> list[str]:
+    return [f"{name}_{end}" for name, _ in numbers for end in ("lower", "upper")]
 
 
 def _bounds(number: Dyadic | None) -> tuple[str, str]:

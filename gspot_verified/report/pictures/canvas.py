@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from gspot_verified.numbers.written import Written
+from gspot_verified.work.draft import draft
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -109,12 +110,8 @@ class Picture(Written):
         place = Path(path)
         contents = {"png": self.png, "pdf": self.pdf, "svg": _light(self.svg).encode()}
         content = contents[checked_suffix(place)]
-        unfinished = place.with_name(place.name + ".part")
-        try:
+        with draft(place) as unfinished:
             unfinished.write_bytes(content)
-            unfinished.replace(place)
-        finally:
-            unfinished.unlink(missing_ok=True)
         return place
 
 
@@ -163,11 +160,9 @@ def save_figure(figure: Figure, name: str, title: str, path: Path) -> Path:
     from matplotlib import rc_context
 
     kind = checked_suffix(path)
-    unfinished = path.with_name(path.name + ".part")
-    with rc_context({"svg.hashsalt": name}):
+    with draft(path) as unfinished, rc_context({"svg.hashsalt": name}):
         metadata = _METADATA[kind] | {"Title": title}
         figure.savefig(unfinished, format=kind, dpi=_RESOLUTION, metadata=metadata)
-    unfinished.replace(path)
     return path
 
 

@@ -49,3 +49,13 @@ def test_warnings() -> None:
             (warning,) = replace(row, numbers=numbers).warnings
             assert text in warning
             assert replace(row, numbers=numbers, case="none").warnings == ()
+
+
+def test_no_two_columns_have_one_name() -> None:
+    """A parameter may be called case, and a component beta."""
+    row = replace(ROWS[0], given=(("case", "1"), ("beta_upper", "2")), point=(("beta", ROWS[0].point[0][1]),))
+    found = fields(row)
+    assert len(found) == len(next(csv.reader([row.csv_head()])))
+    assert (found["case"], found["answer_case"], found["beta_upper"]) == ("1", "II", "2")
+    assert float(found["beta_lower"]) <= float(found["spot_beta_upper"])
+    assert {"state_beta_lower", "beta_lower"} <= set(found)
