@@ -65,13 +65,14 @@ def certified_run(
         else:
             if route == EXACT or run.fate != OPEN:
                 return run
-    return integrated_run(scene, digits, None, points is not None, journal, budget, progress)
+    run = integrated_run(scene, digits, None, points is not None, journal, budget, progress)
+    return replace(run, route=INTEGRATOR)
 
 
 def _exact_run(scene: Scene, digits: int, points: int | None) -> SceneRun:
     run = events(*exact_start(scene), digits)
     samples = None if points is None else certified_samples(run, scene.until, points)
-    return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict, samples)
+    return SceneRun(CERTIFIED, _fate(run), _events(run), run.verdict, samples, route=EXACT)
 
 
 def with_boxes(scene: Scene, run: SceneRun, progress: Progress = lambda _: None) -> SceneRun:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import re
 import shutil
 from importlib import resources
 from pathlib import Path
@@ -14,6 +15,7 @@ import pytest
 from full_disk import full_after
 
 from gspot_verified.cli import main
+from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.scenes.certified import run_steps
 
 
@@ -314,11 +316,11 @@ def test_a_mechanism_starts_before_its_g_spot(capsys: pytest.CaptureFixture[str]
     shutil.copy(place, tmp_path / "mine.toml")
     shown = []
     for name in ("rod", str(tmp_path / "mine.toml")):
-        assert main(["simulate", name, "--spot", "1", "--float", "--points", "5", "--eps", "1/100"]) == 2
+        assert main(["simulate", name, "--spot", "1", "--float", "--eps", "1/100"]) == 2
         shown.append(capsys.readouterr().out)
     assert shown[0] == shown[1]
     assert "slip before falling rod, G-spot 1, ε = 1/100, from theta - theta_ref = -" in shown[0]
-    words = ["simulate", "genot_brogliato_rod", "--spot", "1", "--float", "--points", "5", "--set", "mu=5/2", "--json"]
+    words = ["simulate", "genot_brogliato_rod", "--spot", "1", "--float", "--set", "mu=5/2", "--json"]
     assert main(words) == 2
     assert "slip before falling rod of" in json.loads(capsys.readouterr().out)["scene"]["name"]
 
@@ -343,3 +345,54 @@ def test_what_is_no_start_before_a_g_spot(
     monkeypatch.chdir(tmp_path)
     assert main(["simulate", *words]) == 64
     assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [(), ("--float",), ("--compare",), ("--route", "exact")])
+def test_points_go_with_a_file(capsys: pytest.CaptureFixture[str], words: tuple[str, ...]) -> None:
+    code, _, errors = run(capsys, "simulate", "fig-varsim1", *words, "--points", "5")
+    assert code == 64
+    assert "--points: it goes with --csv, --npz, --picture or --animation" in errors
+
+
+def test_what_the_exact_solution_has_no_use_for_is_said(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    words = ("simulate", "fig-varsim1", "--beta", "1/2", "--journal", str(tmp_path / "j"), "--budget", "7")
+    code, output, errors = run(capsys, *words)
+    assert code == 0
+    assert output.startswith("certified: impact without collision")
+    assert "--journal: the exact solution decided this run" in errors
+    assert "--budget: the exact solution decided this run" in errors
+    assert not any(tmp_path.iterdir())
+
+
+def test_the_file_of_the_scenes_mechanism_is_not_replaced(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    own, scene = tmp_path / "own.toml", tmp_path / "scene.toml"
+    own.write_text(shipped_text("rod"), encoding="utf-8")
+    text = (resources.files("gspot_verified.scenes") / "data" / "rod.toml").read_text(encoding="utf-8")
+    scene.write_text(re.sub(r"(?m)^mechanism = .*$", 'mechanism = "own.toml"', text), encoding="utf-8")
+    for option, place in (("--certificate", own), ("--certificate", scene), ("--journal", own)):
+        code, _, errors = run(capsys, "simulate", str(scene), option, str(place))
+        assert code == 64
+        assert "is what the command reads" in errors
+    assert own.read_text(encoding="utf-8") == shipped_text("rod")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("fig-varsim1", "--set", "eps=1/10", "--set", "epsilon=1/100"),
+        ("fig-varsim1", "--set", "b=-1", "--nu", "2"),
+    ],
+)
+def test_one_setting_under_two_names(capsys: pytest.CaptureFixture[str], words: tuple[str, ...]) -> None:
+    code, _, errors = run(capsys, "simulate", *words)
+    assert code == 64
+    assert "are both given: give one of them" in errors
+
+
+def test_a_parameter_with_the_name_of_a_setting(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """With --spot it was the mechanism's that changed, in a scene the scene's."""
+    own = tmp_path / "own.toml"
+    own.write_text(shipped_text("rod").replace("[parameters]", "[parameters]\nepsilon = 1"), encoding="utf-8")
+    code, _, errors = run(capsys, "simulate", str(own), "--spot", "1", "--epsilon", "1/100")
+    assert code == 64
+    assert "'epsilon' is a parameter of falling rod and a setting of every scene" in errors

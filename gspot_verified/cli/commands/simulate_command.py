@@ -112,7 +112,7 @@ def simulate(
     when the certified run is proved, 1 when it is refuted, 2 when something is undecided: a float run always is.
     """
     from gspot_verified.scenes.certified_run import EXACT
-    from gspot_verified.scenes.scene.file import load_scene
+    from gspot_verified.scenes.scene.file import files_read, load_scene
     from gspot_verified.scenes.scene.run import agreement
     from gspot_verified.scenes.simulate import simulate as run_of
 
@@ -130,8 +130,11 @@ def simulate(
         others = {"--float": floats, "--compare": compare, "--points": points, "--journal": journal}
         others |= {"--csv": csv, "--npz": npz, "--picture": picture, "--animation": animation}
         refuse("not together with --certificate", others | {"--route": route if route == EXACT else None})
+    elif all(place is None for place in (csv, npz, picture, animation)):
+        refuse("it goes with --csv, --npz, --picture or --animation", {"--points": points})
     outputs = Outputs()
-    outputs.reads(scene)
+    for read in (scene, *(files_read(scene) if spot is None else ())):
+        outputs.reads(read)
     outputs.file("--certificate", certificate)
     outputs.file("--csv", csv, (".csv",))
     outputs.file("--npz", npz, (".npz",))
@@ -178,6 +181,10 @@ def simulate(
         _show(loaded, runs)
     if agree is False:
         warn("the float run contradicts the certified one")
+    if certified is not None and certified.route == EXACT:
+        for option, value in (("--journal", journal), ("--budget", budget)):
+            if value is not None:
+                warn(f"{option}: the exact solution decided this run without steps; --route integrator makes some")
     for note in (note for run in runs for note in run.notes):
         outputs.missing("--journal", note)
     _write(outputs, loaded, runs, csv, npz, picture, animation)
@@ -263,9 +270,11 @@ def _before(name: str, spot: int, given: dict[str, str]) -> Scene:
     """The scene before a mechanism's G-spot: its parameters leave ``given``, and are set before."""
     from gspot_verified.mechanisms.load import load
     from gspot_verified.scenes.scene.before_spot import scene_before_spot
+    from gspot_verified.scenes.scene.scene import OF_EVERY_SCENE
 
     mechanism = load(name)
-    own = {name: given.pop(name) for name in dict(mechanism.parameters) if name in given}
+    parameters = [name for name, _ in mechanism.parameters if name not in OF_EVERY_SCENE]
+    own = {name: given.pop(name) for name in parameters if name in given}
     return scene_before_spot(mechanism.with_parameters(**own), spot)
 
 

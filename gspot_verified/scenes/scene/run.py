@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar, NamedTuple
 
 from flint import arb, fmpq
@@ -62,6 +62,7 @@ class InBracket(NamedTuple):
 class SceneRun(NoTruthValue, Written):
     """The events of one run in order; ``fate``: what they amount to; ``strength``: simulated or certified.
 
+    ``route``: "exact" or "integrator" where it is certified, None where it is simulated.
     ``notes``: what went wrong beside the run, as a journal that could not be written. ``assumptions``: what the effects
     that are left out assume of the motion, and how that stands; what the model system has by definition is not in it.
     """
@@ -76,6 +77,7 @@ class SceneRun(NoTruthValue, Written):
     samples: Samples | None = None
     notes: tuple[str, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
+    route: str | None = field(default=None, compare=False)
 
     @property
     def event_rows(self) -> list[AtTime | InBracket]:

@@ -30,6 +30,8 @@ from gspot_verified.scenes.scene.numbers import scene_number
 from gspot_verified.scenes.scene.start import check_rigid_force, check_start, first_phase
 
 _ROUNDS = 12  # of a point and the components that follow from it: each gains a factor of epsilon^2 or so
+OF_EVERY_SCENE = ("eps", "epsilon", "until", "start", "y", "v", "z")
+"""Settings of every scene; ``eps`` is ``epsilon``."""
 SLIP_START = "slip"
 """A start on the slow manifold of slip."""
 START_KEYS = ("p", "b", "nu", "y", "v", "z", "u", "x")
@@ -322,6 +324,7 @@ class Scene(Shown):
         parameters = {name: value for name, value in self.parameters.items() if name in defaults}
         epsilon, until = self.epsilon, self.until
         mechanism, slow = self.mechanism, self.on_slow_manifold
+        self._check_settings([name for name, value in settings.items() if value is not None])
         for name, value in settings.items():
             if value is None:
                 continue
@@ -356,6 +359,20 @@ class Scene(Shown):
             mechanism=mechanism,
             on_slow_manifold=slow,
         )
+
+    def _check_settings(self, names: Sequence[str]) -> None:
+        """Passes where each name says one thing, and no two say the same."""
+        for one, other in (("eps", "epsilon"), *([("b", "nu")] if self.mechanism is None else [])):
+            if one in names and other in names:
+                raise SceneError(f"{one} and {other} are both given: give one of them")
+        if self.mechanism is None:
+            return
+        for name, _ in self.mechanism.parameters:
+            if name in names and name in OF_EVERY_SCENE:
+                raise SceneError(
+                    f"{name!r} is a parameter of {self.mechanism.name} and a setting of every scene: "
+                    "change it in a file"
+                )
 
     def _start_keys(self) -> tuple[str, ...]:
         if self.mechanism is None:
