@@ -27,8 +27,9 @@ def write_classified_table(
 
     :raises ValueError: no output is named, or it cannot be written.
     """
-    from gspot_verified.cli.load import load_with_settings
+    from gspot_verified.cli.load import given_values, load_with_settings
     from gspot_verified.mechanisms.table.classify_table import classify_table
+    from gspot_verified.mechanisms.table.parameter_rows import parameter_rows
     from gspot_verified.work.draft import draft
     from gspot_verified.work.executors import executor
 
@@ -42,6 +43,9 @@ def write_classified_table(
     outputs.file("--output", output)
     outputs.file("--journal", journal)
     mechanism = load_with_settings(name, settings)
+    twice = next((word for word in parameter_rows(mechanism, table).parameters if word in given_values(settings)), None)
+    if twice is not None:
+        raise ValueError(f"--set {twice}: the table has a column {twice}")
     counts: dict[str, int] = {}
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         rows = classify_table(mechanism, table, executor=pool, journal=journal, progress=_show)

@@ -78,6 +78,7 @@ def test_a_coarse_map_refines_itself_and_a_budget_is_said(capsys: pytest.Capture
         (["--over", "mu=1.4..2", "--picture", "picture.gif"], "allowed"),
         (["--over", "mu=1.4..2", "--start", "mu=7"], "outside"),
         (["--over", "mu=1.4..2", "--workers", "0"], "workers"),
+        (["--over", "mu=1.4..2", "--set", "mu=3/2"], "--set mu: it varies by --over; --start mu=... says where"),
         (["--over", "mu=1.4..2", "--budget=-1"], "budget must be an int >= 0"),
         ([], "--over"),
     ],

@@ -60,6 +60,7 @@ def test_a_killed_run_goes_on(tmp_path: Path) -> None:
         (["--output", "missing/answers.csv"], "--output: there is no folder missing"),
         (["--output", "table.csv"], "--output and --table name the same file"),
         (["--output", "answers.csv", "--all"], "--all: not with --table"),
+        (["--output", "answers.csv", "--set", "mu=3"], "--set mu: the table has a column mu"),
         (["--output", "answers.csv", "--json"], "--json: not with --table"),
         (["--output", "answers.csv", "--workers", "0"], "workers must be an int"),
     ],

@@ -64,7 +64,10 @@ def sweep(
     outputs.file("--picture", picture, PICTURES)
     outputs.file("--journal", journal)
     ranges, first = _assignments("--over", over), _assignments("--start", start or [])
-    mechanism = load(name, **_assignments("--set", settings or []))
+    fixed = _assignments("--set", settings or [])
+    for word in (each for each in fixed if each in ranges):
+        raise ValueError(f"--set {word}: it varies by --over; --start {word}=... says where the sweep begins")
+    mechanism = load(name, **fixed)
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         result = sweep_mechanism(
             mechanism,
