@@ -238,6 +238,12 @@ class _Translation:
         symbols = sorted(
             self._symbols | used | {key for key in given if isinstance(key, sympy.Symbol)}, key=lambda each: each.name
         )
+        others = {symbol.name for symbol in symbols if symbol != time_symbol()}
+        if time_symbol() in symbols or (self.has_time and str(time_symbol()) in {*values} - others):
+            raise MechanismError(
+                f"{self._name}: parameters: {time_symbol()} is the time of sympy's dynamic symbols and has no value; "
+                "give a parameter another name"
+            )
         twice = next((a for a, b in pairwise(symbols) if a.name == b.name), None)
         if twice is not None:
             raise MechanismError(

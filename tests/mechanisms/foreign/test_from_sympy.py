@@ -420,3 +420,14 @@ def test_the_component_of_a_general_speed_is_refused() -> None:
 def test_one_name_in_two_spellings(options: dict[str, Any], why: str) -> None:
     with pytest.raises(MechanismError, match=why):
         of_block(**options)
+
+
+@pytest.mark.parametrize("key", [t, "t"])
+def test_the_time_is_no_parameter(key: Any) -> None:
+    """A mass called t is the time to sympy: its value was left aside."""
+    energies = (x.diff() ** 2 + y.diff() ** 2) / 2, m * g * y
+    with pytest.raises(MechanismError, match="parameters: t is the time of sympy's dynamic symbols"):
+        of_block((2 + t) * energies[0] - energies[1], parameters={m: 2, g: 10, key: 3})
+    own = sympy.Symbol("t", positive=True)
+    block = of_block((2 + own) * energies[0] - energies[1], parameters={m: 2, g: 10, "t": 3})
+    assert block.state[-1] == "q_y_dot"
