@@ -57,12 +57,12 @@ def sweep(
     ``parameters``: name to "lower..upper", "lower..upper:cells" or (lower, upper, cells); the ends belong to the range.
     Each cell is divided further until Case and side hold for all its parameter values. What stays undecided in it is
     divided again, piece by piece, until it is settled, too small, or ``budget`` pieces have been divided; what is left
-    is said. ``start``: parameter values of the range at which the spot is proved first (the mechanism's own, or the
-    nearest, if left out). ``spot``: its number in the list of all G-spots there (left out: that at the mechanism's
-    place). ``digits``: of the brackets in which Case or side change. ``journal``: a killed sweep goes on
-    from this file, also with a larger budget; what it recalls is proved again. ``executor``: where cells are examined;
-    the result is the same for every one. ``progress`` is told how many cells and pieces are done, of how many that are
-    known so far.
+    is said, also where the boxes of a cell ended, next to a place at which the spot is lost. ``start``: parameter
+    values of the range at which the spot is proved first (the mechanism's own, or the nearest, if left out). ``spot``:
+    its number in the list of all G-spots there (left out: that at the mechanism's place). ``digits``: of the brackets
+    in which Case or side change. ``journal``: a killed sweep goes on from this file, also with a larger budget; what it
+    recalls is proved again. ``executor``: where cells are examined; the result is the same for every one. ``progress``
+    is told how many cells and pieces are done, of how many that are known so far.
 
     :raises GSpotError: there is no G-spot, or a degenerate one, at the start.
     :raises MechanismError: no such parameter, or the mechanism is not complete.

@@ -15,7 +15,7 @@ from flint import fmpq
 
 from gspot_verified.mechanisms.sweep.sweep_bracket import Cut, bracket
 from gspot_verified.mechanisms.sweep.sweep_findings import HYPOTHESES, SEVERAL, TOO_LARGE, findings, quantity
-from gspot_verified.mechanisms.sweep.sweep_piece import Kind, Passing, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_piece import ENDED, Kind, Passing, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube
@@ -23,6 +23,7 @@ from gspot_verified.numbers.balls import approximate, sign_of, working_bits
 
 BITS = 80  # working precision: any is correct, 53 would be too few for brackets of 15 digits
 BOXES = 128  # of one cell: a limit against endless work
+BOXES_BEYOND = 256  # divided in a cell of a line once these are used up, where no tube is found: folds took up to 92
 _DEPTH_OF_A_LINE, _DEPTH_OF_A_MAP, _DEPTH_OF_A_TUBE = 24, 4, 8  # halvings of a cell: limits of effort
 _HOPELESS_FROM = 3  # halvings of a cell: any number is correct
 _TINY = 2.0**-40  # of a quantity at a centre, which is next to the spot; any number is correct
@@ -80,7 +81,9 @@ class Examination:
     origins: list[Origin] = field(default_factory=list)
     sides: list[fmpq] = field(default_factory=list)
     left: int = BOXES
-    """Boxes that may still be examined; on a line, where no tube is found, they are divided all the same."""
+    """Boxes that may still be examined."""
+    beyond: int = BOXES_BEYOND
+    """Boxes without a tube that may still be divided on a line where none is left."""
     hopeless_from: int = _HOPELESS_FROM
     """Of the cell."""
     kept_tubes: TubeTrace = field(default_factory=TubeTrace)
@@ -97,7 +100,7 @@ class Examination:
         # The widths of the last tube are a good guess at those of the next, where none are known there.
         guessed = bool(self.origins) and not cell.origin.widths
         self.origins = [cell.origin.as_wide_as(self.origins[-1]) if guessed else cell.origin]
-        self.left, self.hopeless_from = cell.boxes, cell.hopeless_from
+        self.left, self.beyond, self.hopeless_from = cell.boxes, BOXES_BEYOND, cell.hopeless_from
         self.sides = [high - low for low, high in zip(cell.lower, cell.upper, strict=True)]
         with working_bits(BITS):
             pieces = self._examine((cell.lower, cell.upper), 0, Known())
@@ -107,16 +110,16 @@ class Examination:
         lower, upper = box
         line = len(lower) == 1
         last = depth >= (_DEPTH_OF_A_LINE if line else _DEPTH_OF_A_MAP) or self.left <= 0
-        deep = depth >= _DEPTH_OF_A_LINE if line else depth >= _DEPTH_OF_A_TUBE or self.left <= 0
+        ended = self.left <= 0 and (self.beyond <= 0 or not line)
+        deep = depth >= (_DEPTH_OF_A_LINE if line else _DEPTH_OF_A_TUBE) or ended
         origin = min(self.origins, key=lambda known_origin: known_origin.distance(lower, upper))
         on = self._tube(self.equations, lower, upper, origin)
         self.left -= 1
         if on is None or not known.concerns(on.tube):
-            return (
-                [SweepPiece(lower, upper, Kind.NO_TUBE)]
-                if deep
-                else self._halves(box, depth, known, self._longest(box))
-            )
+            if deep:
+                return [SweepPiece(lower, upper, Kind.NO_TUBE, unsure=(ENDED,) if ended and line else ())]
+            self.beyond -= self.left < 0
+            return self._halves(box, depth, known, self._longest(box))
         self.origins.append(Origin.of(on))
         facts = findings(on, known.signs)
         if not facts.unsure:
@@ -149,14 +152,14 @@ class Examination:
         kept = self.left // 2  # what the first half may not use up
         self.left -= kept
         pieces = self._examine(first, depth + 1, known)
-        self.left += kept
+        self.left = max(self.left, 0) + kept
         if len(box[0]) == 1:
             facing = min(pieces, key=lambda piece: _gap(piece, second))
             if facing.kind is Kind.NO_TUBE:
-                return [*pieces, SweepPiece(*second, Kind.NO_TUBE)]
+                return [*pieces, SweepPiece(*second, Kind.NO_TUBE, unsure=facing.unsure)]
         pieces += self._examine(second, depth + 1, known)
         if all(piece.kind is Kind.NO_TUBE for piece in pieces):
-            return [SweepPiece(*box, Kind.NO_TUBE)]
+            return [SweepPiece(*box, Kind.NO_TUBE, unsure=max(piece.unsure for piece in pieces))]
         return pieces
 
     def _longest(self, box: Box) -> int:

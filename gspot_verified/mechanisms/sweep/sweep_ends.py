@@ -62,7 +62,7 @@ def without_gaps(pieces: Sequence[SweepPiece]) -> list[SweepPiece]:
     joined: list[SweepPiece] = []
     for piece in pieces:
         if joined and joined[-1].kind is piece.kind is Kind.NO_TUBE:
-            joined[-1] = replace(joined[-1], upper=piece.upper)
+            joined[-1] = replace(joined[-1], upper=piece.upper, unsure=max(joined[-1].unsure, piece.unsure))
         else:
             joined.append(piece)
     return joined

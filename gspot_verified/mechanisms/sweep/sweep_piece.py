@@ -23,6 +23,9 @@ NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "beta", "mean_force", "slip_velocity
 
 _RADIUS_BITS = 28  # two less than FLINT's 30 for a radius: room to come back without rounding up
 
+ENDED = "the boxes of the cell ended"
+"""What keeps a piece without a tube from being divided further, before it is too small."""
+
 NO_NUMBERS = PackedIntervals([None] * len(NUMBERS))
 
 

@@ -8,9 +8,19 @@ from typing import ClassVar
 
 from flint import fmpq
 
+from gspot_verified.mechanisms.sweep.sweep_cell import BOXES, BOXES_BEYOND
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
-from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, PieceRow, SweepPiece, columns, piece_row
+from gspot_verified.mechanisms.sweep.sweep_piece import (
+    ENDED,
+    NUMBERS,
+    Kind,
+    Passing,
+    PieceRow,
+    SweepPiece,
+    columns,
+    piece_row,
+)
 from gspot_verified.numbers.balls import ExactInput, approximate, exact, float_bounds
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
@@ -116,15 +126,23 @@ class Sweep(NoTruthValue, Written):
         finer = ", ".join(f"{axis.name}={axis.lower}..{axis.upper}:{2 * axis.cells}" for axis in self.axes)
         them = "it" if left == 1 else "them"
         pieces = f"{_left(left, len(self.pieces))} left; "
-        if self.budget is None:
+        if self.budget is not None:
+            pieces += f"the budget of {counted(self.budget, 'divided piece')} ended: a larger one may settle {them}"
+        elif not self._cells_ended:
             pieces += (
                 f"dividing {them} again has not settled {them}; {self._fold_between() or f'more cells may: {finer}'}"
             )
-        else:
-            pieces += f"the budget of {counted(self.budget, 'divided piece')} ended: a larger one may settle {them}"
+        if self._cells_ended:
+            pieces += "; " * (self.budget is not None)
+            pieces += f"{ENDED}, {BOXES} and {BOXES_BEYOND} divided beyond them; more cells may settle {them}: {finer}"
         brackets = f"in {counted(half, 'bracket')} at most one zero is shown"
-        reason = Reason.HYPOTHESIS if self.budget is None else Reason.BUDGET
+        reason = Reason.HYPOTHESIS if self.budget is None and not self._cells_ended else Reason.BUDGET
         return Verdict.undecided(statement, reason, "; ".join([pieces] * bool(left) + [brackets] * bool(half)))
+
+    @property
+    def _cells_ended(self) -> bool:
+        """Whether pieces are left because the boxes of their cell ended."""
+        return any(ENDED in piece.unsure for piece in self.pieces)
 
     def _fold_between(self) -> str:
         """Of two parameters, where the continued spot is followed up to some pieces and not beyond: what is known of
@@ -285,7 +303,7 @@ def _alike(first: SweepPiece, second: SweepPiece) -> bool:
 
 def _piece_text(piece: SweepPiece) -> str:
     if piece.kind is Kind.NO_TUBE:
-        return "no continued spot was found"
+        return f"no continued spot was found{f': {ENDED}' if ENDED in piece.unsure else ''}"
     if piece.kind is Kind.BEYOND:
         return "the continued spot is no more: it vanished at the fold"
     if piece.kind is Kind.FOLD:

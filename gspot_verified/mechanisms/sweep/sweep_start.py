@@ -11,6 +11,7 @@ from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tu
 from gspot_verified.numbers.balls import approximate
 
 _TRIES = 8  # each from what the last one says: a limit of effort
+_MUCH_WIDER = 16  # boxes: what is known of a tube so much smaller is no guess
 _WIDER = 2  # times the widths that are expected: room for Krawczyk's operator to contract into
 
 
@@ -71,6 +72,8 @@ class Origin:
             approximate((high - low) / (2 * own)) if own else 1.0
             for low, high, own in zip(lower, upper, self.half, strict=True)
         )
+        if ratio > _MUCH_WIDER:
+            return (arb(0),) * len(self.centre)
         return tuple(
             arb(0, _WIDER * width * ratio * ratio + 2.0**-60 * (1 + abs(approximate(start))))
             for width, start in zip(self.widths, self.centre, strict=True)

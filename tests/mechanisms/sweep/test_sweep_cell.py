@@ -12,16 +12,19 @@ from flint import arb, fmpq
 from samples.families import family
 
 from gspot_verified.functions.box_program import BoxProgram
-from gspot_verified.functions.expressions import Variable
+from gspot_verified.functions.expressions import Constant, Variable
+from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.spots.parametric_system import parametric_system
 from gspot_verified.mechanisms.sweep import sweep_cell
+from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_bracket import Cut
-from gspot_verified.mechanisms.sweep.sweep_cell import Cell, Examination, Known
+from gspot_verified.mechanisms.sweep.sweep_cell import BOXES, BOXES_BEYOND, Cell, Examination, Known
 from gspot_verified.mechanisms.sweep.sweep_findings import equations
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube
 from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.verdict import Outcome, Reason
 
 ROOT = Equations(BoxProgram([Variable(0) * Variable(0) - Variable(1)], 2), 1)
 
@@ -102,3 +105,38 @@ def test_a_quantity_with_one_sign_all_along_needs_no_bracket(monkeypatch: pytest
     found = cell_pieces("q^2 - k", fmpq(37, 64), fmpq(11, 16), start)
     assert {kind for *_, kind in found} == {Kind.SETTLED}
     assert (found[0][0], found[-1][1]) == (fmpq(37, 64), fmpq(11, 16))
+
+
+def test_next_to_a_singular_mass_matrix_the_boxes_of_a_cell_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """det M = J - c^2 = 0 at c = -1/2: the tubes are ever shorter there, like the square of the distance."""
+    body = lagrangian(
+        "bent", ["X", "H", "th"], [[1, 0, 0], [0, 1, "c"], [0, "c", "1/4"]],
+        [0, "-3/4", "1 - 7*th_dot/8 - 7*(th - 1)/4"], "X + 7*cos(th)/8", "H - 7*sin(th)/8 + cos(2*th)/8", "19/8",
+        {"c": "-1/4"}, search=True, fixed=["X", "X_dot"],
+        place={"X": 0, "X_dot": 2, "th": "1.3116", "th_dot": "0.67385", "H": "0.95435", "H_dot": "0.23459"},
+    )  # fmt: skip
+    examined, beyond = [], 64
+    monkeypatch.setattr(sweep_cell, "BOXES_BEYOND", beyond)
+    own = Examination._tube
+    monkeypatch.setattr(Examination, "_tube", lambda *given: examined.append(given[2:4]) or own(*given))
+    found = sweep(body, {"c": "-1/2..-1/4:1"})
+    assert len(examined) <= BOXES + 2 * beyond + 32
+    first, *others = found.pieces
+    assert (first.lower[0], first.kind, first.unsure) == (fmpq(-1, 2), Kind.NO_TUBE, ("the boxes of the cell ended",))
+    assert first.upper[0] < fmpq(-12, 25)
+    assert {piece.kind for piece in others} == {Kind.SETTLED}
+    assert (found.verdict.outcome, found.verdict.reason) == (Outcome.UNDECIDED, Reason.BUDGET)
+    assert f"the boxes of the cell ended, {BOXES} and {BOXES_BEYOND} divided beyond" in found.verdict.detail
+    assert "no continued spot was found: the boxes of the cell ended" in str(found)
+
+
+@pytest.mark.parametrize("known", [fmpq(1, 32), fmpq(1, 2**20)])
+def test_what_is_known_of_a_much_shorter_tube_is_no_guess(known: fmpq) -> None:
+    """1/x = λ on [1, 17/16]: widths that are scaled from a tube of a millionth hold 0, where 1/x has no enclosure."""
+    inverse = Equations(BoxProgram([Constant(fmpq(1)) / Variable(0) - Variable(1)], 2), 1)
+    place = (fmpq(33, 32),)
+    near = Origin(place, (fmpq(32, 33),), ((-(fmpq(32, 33) ** 2),),), (known,), (2.0**-10,))
+    with working_bits(80):
+        on = proved_tube(inverse, (fmpq(1),), (fmpq(17, 16),), near)
+    assert on is not None
+    assert on.tube.zero_at(place)[0].contains(fmpq(32, 33))
