@@ -290,7 +290,7 @@ def test_the_number_of_a_g_spot_serves_in_every_command(capsys: pytest.CaptureFi
     [
         (
             ("expand", "oscillator", "--spot", "9"),
-            "has 6 G-spots (classify --all lists them): expected a number in 1..6",
+            "has 6 G-spots in the region searched by default (classify --all lists them): expected a number in 1..6",
         ),
         (("iwc", "--mechanism", "oscillator", "--spot", "0"), "has 6 G-spots"),
         (("iwc", "--beta", "7/3", "--spot", "1"), "--spot: it goes with --mechanism"),

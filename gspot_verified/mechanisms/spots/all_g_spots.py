@@ -180,6 +180,7 @@ class _Search:
             left=tuple(self._left),
             searched=self._region.searched(self._apart),
             region=self._region_in_words(spots),
+            defaults=self._region.defaults(self._apart),
             free=tuple(self._state[i] for i in self._apart.free),
             patch=patch,
             periods=self._region.periods(),

@@ -96,7 +96,8 @@ class GSpots(NoTruthValue, Written):
 
     ``spots`` are proved to lie in the region, each alone in its box. ``boundary`` are proved too, but so near to the
     end of an interval that they may lie outside. Every other G-spot in the region lies in a box of ``left``: none, when
-    ``complete``. ``searched`` says for each component what the region is, ``region`` the same in one phrase. ``free``
+    ``complete``. ``searched`` says for each component what the region is, ``region`` the same in one phrase,
+    ``defaults`` which components were searched in an interval that was not given. ``free``
     are components that no condition holds: the spots repeat for all their values, but for those that ``region`` names
     with one value, because the mass matrix or mu depends on them. They repeat with ``periods`` too
     (2 pi times the number given), in the angles of which one turn was searched. ``patch`` is given where there are
@@ -115,6 +116,7 @@ class GSpots(NoTruthValue, Written):
     left: tuple[Left, ...]
     searched: tuple[tuple[str, str], ...]
     region: str
+    defaults: tuple[str, ...]
     free: tuple[str, ...]
     patch: Patch | None = None
     periods: tuple[tuple[str, fmpq], ...] = ()
@@ -134,7 +136,8 @@ class GSpots(NoTruthValue, Written):
                 )
             listed = f"{self.name} has {'' if self.complete else 'at least '}{counted(count, 'G-spot')}"
             wanted = f"expected {'1' if count == 1 else f'a number in 1..{count}'}, got {number!r:.20}"
-            raise ValueError(f"spot: {listed} (classify --all lists them): {wanted}")
+            inside = " in the region searched by default" if self.defaults else ""
+            raise ValueError(f"spot: {listed}{inside} (classify --all lists them): {wanted}")
         return self.spots[number - 1]
 
     @property
@@ -186,6 +189,9 @@ class GSpots(NoTruthValue, Written):
             lines.append(f"  {self.patch}")
             lines.append("  fix components (fixed, conditions) for isolated G-spots and a complete list")
         lines += [] if self.sign_of_p is None else [f"  {self.sign_of_p}"]
+        if self.defaults and self.patch is None:
+            where = ", ".join(self.defaults)
+            lines.append(f"  {where}: beyond it nothing was searched; an interval of yours (box, --box) may be longer")
         lines += [f"  left open: {left}" for left in self.left[:_SHOWN]]
         if len(self.left) > _SHOWN:
             lines.append(f"  and {counted(len(self.left) - _SHOWN, 'box', 'boxes')} more left open")

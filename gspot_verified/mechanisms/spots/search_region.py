@@ -128,13 +128,18 @@ class Region:
             elif i in self._turns:
                 text = f"every angle (all conditions have the period {_pi(2 * self._turns[i])})"
             elif i in self._one_turn:
-                text = f"{self._stated(i)} (default: more than one turn)"
+                text = f"{self._stated(i)} (default: more than one period)"
             elif i in self._bounded:
                 text = f"{self._stated(i)} (default bound)"
             else:
                 text = "every value"
             rows.append((word, text))
         return tuple(rows)
+
+    def defaults(self, apart: TakenApart) -> tuple[str, ...]:
+        """The components that were searched in an interval that was not given, with it."""
+        held = {*self._given, *(each.index for each in apart.explicit), *apart.free}
+        return tuple(f"{self._state[i]} in {self._stated(i)}" for i in sorted({*self._one_turn, *self._bounded} - held))
 
     def _stated(self, index: int) -> str:
         """An interval that was not given; of an angle with a reference its distance from that."""

@@ -6,6 +6,7 @@ proofs/all_g_spots.md.
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -27,7 +28,7 @@ from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, P
 from gspot_verified.mechanisms.spots.search_region import Region
 from gspot_verified.mechanisms.spots.spot_conditions import Stage
 from gspot_verified.mechanisms.zeros.all_zeros import Zeros, ZeroSearch
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Evidence, Outcome, Reason
 
@@ -206,7 +207,7 @@ def test_the_oscillator_has_the_papers_spot_and_others() -> None:
             )
             # M^-1 = [[2, -s], [-s, 1]]/(2 - s^2), y_q = (s, 1), x_q = (c, 0): C = 1/(2 - s^2), B = s c/(2 - s^2).
             assert (1 - fmpq(25, 12) * sine * cosine).overlaps(arb(0))
-    assert "more than one turn" in dict(found.searched)["phi"]
+    assert "more than one period" in dict(found.searched)["phi"]
 
 
 def test_the_systems_of_the_paper_have_one_spot_each() -> None:
@@ -743,3 +744,32 @@ def test_an_angle_with_which_the_mass_matrix_does_not_repeat_is_stated_for_one_p
     assert "exactly 4 G-spots in the region: the angle theta, one period of it as shown" in statement
     assert "(the mass matrix or mu does not repeat with it)" in statement
     assert "region: every angle theta;" in find_g_spots(beside("4 + sin(theta)")).verdict.statement
+
+
+def sprung(mu: str = "5/3") -> Mechanism:
+    """A rod on a torsion spring: p = 0 at tan(theta) = 1 and 4; there theta_dot^2 = (1 - 3 theta cos/10)/sin."""
+    return lagrangian(
+        "sprung rod", ["X", "Y", "theta"], [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, -1, "-theta/10"],
+        "X + cos(theta)", "Y - sin(theta)", mu, place={"X": 0, "X_dot": 1}, fixed=["X", "X_dot"],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("box", [None, {"theta": (-20, 20)}, {"theta": (4, 11)}])
+def test_where_a_spring_breaks_the_period_the_searched_interval_is_said(box: Any) -> None:
+    lower, upper = (-3.25, 3.25) if box is None else box["theta"]
+    angles = [math.atan(tangent) + math.pi * n for tangent in (1, 4) for n in range(-8, 8)]
+    speeds = {at: (1 - 0.3 * at * math.cos(at)) / math.sin(at) for at in angles if lower < at < upper}
+    expected = sorted(at for at, square in speeds.items() if square > 0 for _ in range(2))
+    found = find_g_spots(sprung(), box)
+    theta = found.spots[0].shifted.mechanism.state.index("theta")
+    places = sorted(float(ball(spot.system.point[theta]).mid()) for spot in found.spots)
+    assert found.complete
+    assert places == pytest.approx(expected, abs=1e-12)
+    region = "theta in [-13/4, 13/4] (default)" if box is None else f"theta in [{lower}, {upper}]"
+    assert f"exactly {len(expected)} G-spots in the region: {region};" in found.verdict.statement
+    remark = "theta in [-13/4, 13/4]: beyond it nothing was searched"
+    assert (remark in str(found)) is (box is None)
+    with pytest.raises(
+        ValueError, match="G-spots in the region searched by default" if box is None else "G-spots .class"
+    ):
+        found.spot(99)

@@ -22,6 +22,7 @@ from gspot_verified.numbers.balls import working_bits
 
 Q, THETA = Variable(0), Variable(1)
 HALF = Constant(fmpq(1, 2))
+STATED = "(default: more than one period)"
 
 
 def rational(value: str | Fraction) -> fmpq:
@@ -92,7 +93,7 @@ def test_a_period_of_one_turn() -> None:
 def test_where_only_the_search_repeats_more_than_one_turn_is_searched() -> None:
     """b holds theta itself, but p alone is solved for it, with the period pi: [-13/8, 13/8] > [-pi/2, pi/2]."""
     found, words = region({"p": Sine(Constant(fmpq(2)) * THETA), "b": Q * Q - THETA})
-    assert words["theta"] == "[-13/8, 13/8] about theta_ref (default: more than one turn)"
+    assert words["theta"] == f"[-13/8, 13/8] about theta_ref {STATED}"
     assert found.periods() == ()
     assert found.period(1) is None
     assert holds(found.side(1), Fraction(13, 8))
@@ -100,7 +101,7 @@ def test_where_only_the_search_repeats_more_than_one_turn_is_searched() -> None:
     assert found.side(1) < 2
     assert found.side(1) > -2
     _, words = region({"p": Sine(Q), "b": THETA * THETA - Q})
-    assert words["q"] == "[-13/4, 13/4] (default: more than one turn)"
+    assert words["q"] == f"[-13/4, 13/4] {STATED}"
 
 
 @pytest.mark.parametrize(
