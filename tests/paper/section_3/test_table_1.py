@@ -53,6 +53,7 @@ def test_a_number_is_shown_with_its_certain_decimals() -> None:
     assert ledger.decimals(arb("2.33835", "0.00001")).startswith("[2.338"), "the fourth decimal is not certain"
     assert ledger.rounded_up(arb("0.009819", "0.00000006")) == "0.0099"
     assert ledger.rounded_up(arb("0.0099", "0.00000006")).startswith("[0.00990"), "it may be a little more"
+    assert ledger.decimals(arb(0)) == "0.0000"
     assert ledger.decimals(arb("nan")) == ledger.rounded_up(arb("nan")) == "[no information]"
 
 
@@ -133,6 +134,16 @@ def test_a_series_that_gives_another_number_refutes_no_number(monkeypatch: pytes
         assert [check.agrees for check in entry.checks] == [None, None]
         assert entry.verdict.outcome is Outcome.UNDECIDED
         assert "the slope is" in entry.checks[0].finding
+
+
+@pytest.mark.parametrize("identifier", ["3-table-1-y-1_2", "3-table-1-one-series"])
+def test_without_a_slope_no_other_number_is_named(monkeypatch: pytest.MonkeyPatch, identifier: str) -> None:
+    monkeypatch.setattr(ledger, "slope", lambda *_: None)
+    for bound in ("regression_error", "pair_error"):
+        monkeypatch.setattr(ledger, bound, lambda *_: arb(1))
+    entry = ledger.ENTRIES[identifier]()
+    assert entry.corrected == ""
+    assert entry.verdict.outcome is Outcome.UNDECIDED
 
 
 def test_every_measured_number_has_its_entry_and_its_note() -> None:
