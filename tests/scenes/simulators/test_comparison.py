@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF
 from gspot_verified.mechanisms.input.mechanism import MechanismError
@@ -16,94 +13,15 @@ from gspot_verified.mechanisms.load import load
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators import comparison
 from gspot_verified.scenes.simulators.comparison import simulators
-from gspot_verified.scenes.simulators.contact_floats import Contact, contact_floats
-from gspot_verified.scenes.simulators.moreau_jean import moreau_jean, solutions
+from gspot_verified.scenes.simulators.contact_floats import contact_floats
 from gspot_verified.scenes.simulators.simulated import (
-    IMPULSE,
     LEAVES,
-    NOTHING,
     STOPS,
-    Happened,
-    Simulated,
-    read_motion,
-    what_happens,
 )
 
 ROD = load("rod with a wrist")
 FUNCTIONS = contact_floats(ROD)
 START = {"X": 0, "X_dot": 5, "theta": "4/5", "theta_dot": "33/10"}
-
-
-def states(slips: list[float], heights: list[float]) -> list[tuple[float, ...]]:
-    """The rod at one angle, at rest but for the slip velocity."""
-    return [(0.0, math.sin(0.8) + height, 0.8, slip, 0.0, 0.0) for slip, height in zip(slips, heights, strict=True)]
-
-
-TIMES = [k / 100 for k in range(101)]
-
-
-@pytest.mark.parametrize(
-    ("slips", "heights", "forces", "expected"),
-    [
-        ([2.0] * 101, [-1e-6] * 101, None, Happened(NOTHING, None, None)),
-        ([2.0] * 101, [-1e-6] * 40 + [1e-6] * 61, None, Happened(LEAVES, 0.40, 2.0)),
-        ([2.0] * 101, [-1e-6] * 40 + [1e-6] + [-1e-6] * 60, None, Happened(NOTHING, None, None)),
-        ([2.0] * 40 + [0.5] * 61, [-1e-6] * 41 + [1e-6] * 60, None, Happened(IMPULSE, 0.41, 0.5)),
-        ([2.0] * 40 + [0.01] * 61, [-1e-6] * 60 + [1e-6] * 41, None, Happened(STOPS, 0.40, 0.01)),
-        ([2.0] * 101, [1e-6] * 101, [1.0] * 101, Happened(NOTHING, None, None)),
-        ([2.0] * 101, [-1e-6] * 101, [1.0] * 70 + [0.0] * 31, Happened(LEAVES, 0.70, 2.0)),
-    ],
-)
-def test_what_comes_first(
-    slips: list[float], heights: list[float], forces: list[float] | None, expected: Happened
-) -> None:
-    found = what_happens(Simulated(TIMES, states(slips, heights), forces), FUNCTIONS)
-    assert (found.what, found.time) == (expected.what, expected.time)
-    assert found.slip == pytest.approx(expected.slip)
-
-
-def test_slip_is_that_against_the_surface() -> None:
-    motion = Simulated(TIMES, states([2.0] * 50 + [1.0] * 51, [-1e-6] * 101))
-    assert what_happens(motion, FUNCTIONS).what == NOTHING
-    assert what_happens(motion, FUNCTIONS, surface_velocity=1.0).what == STOPS
-
-
-NUMBERS = st.floats(-3, 3, allow_nan=False)
-
-
-@given(NUMBERS, NUMBERS, st.floats(0.1, 3), st.floats(0.1, 3), st.floats(-0.9, 0.9), st.floats(0, 2))
-def test_every_solution_obeys_the_laws_of_contact(
-    u: float, v: float, A: float, C: float, share: float, mu: float
-) -> None:
-    """Signorini: impulse >= 0, velocity >= 0, one of them 0; Coulomb: the cone, and against the slip."""
-    B = share * math.sqrt(A * C)
-    for normal, tangential in solutions(Contact(y=0, u=u, v=v, A=A, B=B, C=C, p=0, b=0, mu=mu)):
-        after_n, after_t = v + C * normal + B * tangential, u + B * normal + A * tangential
-        tolerance = 1e-9 * (1 + normal + abs(tangential))
-        assert normal >= 0
-        assert after_n >= -tolerance
-        assert normal == 0 or abs(after_n) <= tolerance
-        assert abs(tangential) <= mu * normal + tolerance
-        if normal > 0 and abs(after_t) > tolerance:
-            assert tangential == pytest.approx(-math.copysign(mu * normal, after_t))
-
-
-def test_the_paradox_in_one_step() -> None:
-    """p < 0: where v < 0 only an impulse that stops the slip serves; where v > 0 there are three solutions."""
-    rod = Contact(y=0, u=1.0, v=-0.01, A=4.0, B=1.5, C=1.0, p=0, b=0, mu=1.0)
-    ((normal, tangential),) = solutions(rod)
-    assert abs(tangential) < normal
-    assert len(solutions(replace(rod, v=0.01))) == 3
-
-
-def test_a_rod_in_flight_falls_as_it_must() -> None:
-    """Far above the surface no impulse is given, and the height is the parabola of gravity and of the push."""
-    flight = moreau_jean(FUNCTIONS, [0.0, 9.0, 0.9, 1.0, 0.0, 0.0], step=1e-3, until=0.5)
-    assert flight.forces is not None
-    assert not any(flight.forces[1:])
-    time, state = flight.times[-1], flight.states[-1]
-    assert state[1] == pytest.approx(9 - (9.81 + 5) * time**2 / 2, abs=1e-3)
-    assert state[0] == pytest.approx(time)
 
 
 def test_rigid_slip_of_the_steps_is_that_of_the_certified_path() -> None:
@@ -158,28 +76,6 @@ def test_a_table_that_leaves_early_is_told(tmp_path: Path) -> None:
     assert (run.simulator, run.happened, run.agrees) == (str(tmp_path / "mine.csv"), LEAVES, comparison.EARLY)
     assert run.time == 0.006
     assert "too early" in str(found)
-
-
-@pytest.mark.parametrize(
-    ("head", "row", "message"),
-    [
-        ("t,X,Y,theta,X_dot,Y_dot", (0, 0, 0, 0, 0, 0), "no column theta_dot; needed: t, X, Y"),
-        ("t,X,Y,theta,X_dot,Y_dot,theta_dot", (0, 0, "nan", 0, 0, 0, 0), "line 2: Y is no finite number: 'nan'"),
-        ("t,X,Y,theta,X_dot,Y_dot,theta_dot", (0, 0, "one", 0, 0, 0, 0), "line 2: Y is no finite number: 'one'"),
-        ("t,X,Y,theta,X_dot,Y_dot,theta_dot", (0, 0, 0, 0, 0, 0, 0), "the times of column t must grow"),
-        ("t,X,Y,theta,X_dot,Y_dot,theta_dot", (0, 0, 0), "theta is no finite number"),
-    ],
-)
-def test_a_table_that_is_none_is_refused(tmp_path: Path, head: str, row: tuple[float, ...], message: str) -> None:
-    with pytest.raises(SceneError, match=message):
-        read_motion(written(tmp_path / "bad.csv", [row, row], head), FUNCTIONS)
-
-
-def test_a_file_that_is_not_there_or_short(tmp_path: Path) -> None:
-    with pytest.raises(SceneError, match=r"none\.csv: cannot be read: No such file"):
-        read_motion(tmp_path / "none.csv", FUNCTIONS)
-    with pytest.raises(SceneError, match="expected 2 to"):
-        read_motion(written(tmp_path / "short.csv", []), FUNCTIONS)
 
 
 def test_what_cannot_be_compared_is_said() -> None:

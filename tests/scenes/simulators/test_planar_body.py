@@ -61,6 +61,8 @@ def test_an_angle_from_x_to_y_in_another_order() -> None:
         ((3, 4, 2), "cos(angle)", "sin(angle)", "1", "the mass matrix diag"),  # moved as none is
         ((3, 3, 2), "cos(angle)", "2*sin(angle)", "1", "the mass matrix diag"),
         ((3, 3, 2), "cos(angle)", "sin(angle) + far/5", "1", "the mass matrix diag"),
+        ((3, 3, 2), "0", "0", "1", "the mass matrix diag"),  # the mass centre touches
+        ((3, 3, 2), "cos(2*angle)/4", "sin(2*angle)/2", "1", "the mass matrix diag"),  # right but for its length
         ((3, 3, 2), "cos(angle)", "sin(angle)", "1 + angle^2/9", "a constant friction coefficient"),
     ],
 )
