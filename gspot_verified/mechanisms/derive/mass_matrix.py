@@ -40,7 +40,12 @@ at the G-spot: its leading minor of size 1 is -1
     rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
     expressions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], ring)
     series = SeriesOfFunctions(expressions, NumberTerms(ring), ring)
-    series.extend([values[word] for word in shifted.mechanism.state])
+    try:
+        series.extend([values[word] for word in shifted.mechanism.state])
+    except ValueError as error:
+        if ring is not BALLS:
+            raise
+        raise MechanismError(f"{name}: what gives inertia and friction has no value {where}: {error}") from None
     numbers = [series[expression][0] for expression in expressions]
     *entries, friction = numbers
     matrix = [entries[i * len(rows) : (i + 1) * len(rows)] for i in range(len(rows))]

@@ -445,6 +445,12 @@ def test_states_that_are_refused(state: dict[str, Any], message: str) -> None:
         approach(MODEL, state)
 
 
+def test_a_start_without_an_inertia_is_refused() -> None:
+    """Its fields divide by 1 - p."""
+    with pytest.raises(MechanismError, match="model system: what gives inertia and friction has no value at the start"):
+        approach(MODEL, {"x": 0, "u": 1, "p": 1, "b": -1})
+
+
 def test_a_mechanism_without_a_value_is_refused() -> None:
     with pytest.raises(MechanismError, match="without a value: chi"):
         approach(EXTENDED.with_parameters(chi=None), {"x": 0, "u": 1, "p": "1/2", "b": -1})
