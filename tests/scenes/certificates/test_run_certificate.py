@@ -9,12 +9,17 @@ import random
 import re
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from must_reject import runs
 
 from gspot_verified.certificates.checker import check
 from gspot_verified.certificates.text import write_text
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.scenes.certificates import run_certificate
+from gspot_verified.scenes.certificates.bounded_step import NotBounded
 from gspot_verified.scenes.certificates.run_certificate import NotCertified, certified_with_steps
 from gspot_verified.scenes.certified_run import EXACT, certified_run
 from gspot_verified.scenes.scene.file import load_scene
@@ -74,6 +79,7 @@ def test_a_process_of_its_own(tmp_path: Path) -> None:
         ("rod", {"X_dot": "-2"}, "begin in contact and in slip"),
         ("fig-varsim1", {"y": "0", "v": "0", "z": "0"}, "begin in contact, y < z"),
         ("fig-varsim2", {"a": "1/10"}, "a = 0"),
+        ("fig-varsim2", {"k_minus": "0"}, "k_plus < 0 < k_minus"),
         ("fig-varsim2", {"u": "-1"}, "in slip, u > 0"),
     ],
 )
@@ -125,3 +131,49 @@ def test_random_scenes(seed: int) -> None:
     if run.verdict.exit_code == 0:
         assert text is not None, why
         assert runs.verdict(text.encode()).startswith("VERIFIED")
+
+
+RUNS: list[tuple[list[str], str | None, str]] = [
+    (["wide", "narrow", "unused"], "narrow", ""),
+    (["wide", "half", "narrow"], "narrow", ""),
+    (["wide", "not bounded"], "wide", ""),
+    (["not bounded", "narrow"], "narrow", ""),
+    (["not bounded", "not bounded"], None, "not bounded"),
+    (["not bounded", "not proved"], None, "not bounded"),
+    (["not proved", "narrow"], "narrow", ""),
+    (["not proved", "not proved"], None, "the run is not proved"),
+]
+NARROW = {"wide": (False, False), "half": (True, False), "narrow": (True, True)}
+
+
+@pytest.mark.parametrize(("found", "text", "why"), RUNS)
+def test_more_bits_until_the_brackets_are_narrow(
+    found: list[str], text: str | None, why: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is proved is kept where more bits prove less; the first precision with narrow brackets is the last."""
+    scene = load_scene("fig-varsim1")
+
+    class Writer:
+        def __init__(self, _scene: Scene, run: Any, _bits: int) -> None:
+            self.name = run.name
+
+        def text(self, _phases: Any) -> str:
+            if self.name == "not bounded":
+                raise NotBounded(self.name)
+            return str(self.name)
+
+    def run_of(_scene: Scene, _digits: int, bits: tuple[int], **_others: Any) -> Any:
+        name = found[bits[0]]
+        assert name != "unused"
+        outcome = Outcome.UNDECIDED if name == "not proved" else Outcome.PROVED
+        return SimpleNamespace(
+            name=name, verdict=SimpleNamespace(outcome=outcome), assumptions=(), events=NARROW.get(name, ())
+        )
+
+    monkeypatch.setattr(run_certificate, "precisions_for", lambda *_: range(len(found)))
+    monkeypatch.setattr(run_certificate, "integrated_run", run_of)
+    monkeypatch.setattr(run_certificate, "RunWriter", Writer)
+    monkeypatch.setattr(run_certificate, "_phases", lambda _: [])
+    monkeypatch.setattr(run_certificate, "is_narrow", lambda event, *_: event)
+    result = certified_with_steps(scene)
+    assert (result.text, result.why) == (text, why)
