@@ -63,6 +63,12 @@ def test_effects_that_are_left_out() -> None:
     assert said.endswith("; u > 0 in contact all along, as leaving an effect out assumes")
 
 
+def test_a_mechanism_on_a_belt() -> None:
+    said = said_of(load_scene("oscillator", epsilon="1/20", until="1/100"))
+    assert said.startswith("VERIFIED the mechanism")
+    assert said.endswith("provided that in contact slip is positive, which is not shown")
+
+
 def test_a_process_of_its_own(tmp_path: Path) -> None:
     text = certified_with_steps(load_scene("fig-varsim1", epsilon="1/20", until="1/4")).text
     assert text is not None

@@ -5,16 +5,25 @@ Page: proofs/run_certificate.md, section 5.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from flint import arb, fmpq
+from must_reject import runs
 
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.scenes.certificates.bounded_step import NotBounded
 from gspot_verified.scenes.certificates.run_writer import RunWriter
+
+
+@pytest.mark.parametrize("lines", [runs.flight, runs.stick])
+def test_what_is_written_is_accepted(lines: Callable[[], runs.Lines]) -> None:
+    said = runs.verdict(lines())
+    assert said.startswith("VERIFIED")
+    assert "lift-off at t in [" in said
 
 
 @pytest.mark.parametrize("radius", [30, 77])
