@@ -71,7 +71,7 @@ def sign_of_p(
             sign = found[0]
             settled.append(every([found[1], supposed]))
         elif box:
-            parts = halves(box, _widest(box))
+            parts = halves(box, widest(box))
             divided.append(covered(parts, box))
             waiting += parts
         else:
@@ -80,8 +80,8 @@ def sign_of_p(
     return None if waiting or sign == 0 or shown is None else SignOfP(sign, shown)
 
 
-def _widest(box: Box) -> int:
-    """Any choice is correct."""
+def widest(box: Box) -> int:
+    """The number of a widest side: which one is divided; any choice is correct."""
     widest = 0
     for i, side in enumerate(box):
         if side.rad() > box[widest].rad():

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -174,7 +175,8 @@ def test_a_mass_matrix_that_is_negative_definite_has_no_critical_friction(mass: 
     found = critical_friction(made)
     assert found.value is None
     assert found.is_below is None
-    assert "C is not positive where B/C is largest" in found.reason
+    assert found.reason == "the mass matrix is not certainly positive definite where B/C is largest"
+    assert found.mass_matrix == "the mass matrix is not positive definite in any configuration"
 
 
 def bent(x: str, y: str, inertia: int = 1) -> Mechanism:
@@ -239,3 +241,71 @@ def test_the_sentence_speaks_of_a_positive_definite_mass_matrix_alone() -> None:
         assert wanted in text
     level = lagrangian("level", ["f", "s"], [[2, 0], [0, 1]], [0, 0], "s", "sin(f)", "1/10")
     assert wanted in str(critical_friction(level))
+    assert "not positive definite everywhere in contact: not somewhere at f = [3.14" in found.mass_matrix
+    assert found.mass_matrix in str(found)
+    assert critical_friction(level).mass_matrix == ""
+
+
+def with_masses(first: str, last: str) -> Mechanism:
+    """The rod with a fourth coordinate s that the contact does not feel."""
+    rows = [[first, 0, 0, 0], [0, 1, 0, 0], [0, 0, "1/3", 0], [0, 0, 0, last]]
+    x, y = "X + cos(theta)", "Y - sin(theta)"
+    return lagrangian("rod and s", ["X", "Y", "theta", "s"], rows, [0, -1, 0, 0], x, y, 1)
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "places", "said"),
+    [
+        ("1", "1", 2, ""),
+        ("1", "3/2 + cos(theta)", 2, ""),
+        ("1", "1/2 + sin(theta)", 1, "not at theta = ["),  # at one of the two places
+        ("1/2 - cos(theta)^2/4", "3/4 - sin(theta)^2", 0, "not at theta = ["),  # 3/4 < sin^2 = 4/5 at both
+        ("1", "cos(s)", 0, "not at s = ["),
+        ("-1", "1", 0, "in any configuration"),
+        ("1", "-cos(theta)^2 - 1", 0, "everywhere in contact: not at theta"),
+    ],
+)
+def test_a_mass_matrix_that_is_indefinite_somewhere_is_said(first: str, last: str, places: int, said: str) -> None:
+    """B/C is that of the rod, largest at tan(theta) = 2: mu_c = 4/3 only where a mass matrix is positive definite."""
+    found = critical_friction(with_masses(first, last))
+    assert said in found.mass_matrix
+    assert bool(said) is bool(found.mass_matrix)
+    assert said in str(found)
+    assert len(found.places) == places
+    assert (found.value is None) is (places == 0)
+    if found.value is not None:
+        assert found.value.overlaps(arb(4) / 3)
+    else:
+        assert found.reason == "the mass matrix is not certainly positive definite where B/C is largest"
+
+
+@pytest.mark.parametrize(("given", "shown"), [("0", "0"), ("1/2", "0.5"), ("2^(1/2)", "1.41421")])
+def test_a_fixed_component_counts(given: str, shown: str) -> None:
+    """A telescope of the length l = 1 + s: C/B = (1 + k + 2 t^2)/((k - 1) t), k = 3 l^2, t = tan(theta)."""
+    made = lagrangian(
+        "telescope", ["X", "Y", "theta", "s"], [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, "1/3", 0], [0, 0, 0, 1]],
+        [0, -1, 0, 0], "X + (1 + s)*cos(theta)", "Y - (1 + s)*sin(theta)", 1,
+        place={"X": 0, "X_dot": 1, "s": given, "s_dot": 0}, fixed=["X", "X_dot", "s", "s_dot"],
+    )  # fmt: skip
+    found = critical_friction(made)
+    assert found.value is not None
+    with working_bits(100):
+        k = 3 * (1 + {"0": arb(0), "0.5": arb("0.5"), "1.41421": arb(2).sqrt()}[shown]) ** 2
+        assert found.value.overlaps(2 * (2 * (1 + k)).sqrt() / (k - 1))
+        assert found.value.rad() < arb("1e-20")
+    assert found.held == (("s", shown),)
+    assert f"; with s = {shown} fixed" in found.in_short()
+    free = critical_friction(replace(made, place=replace(made.place, fixed=("X", "X_dot"))))
+    assert free.reason == "B, C and y are not periodic in s"
+
+
+@pytest.mark.parametrize(("given", "said"), [("2", "no configuration has y = 0"), ("1", "y = 0 holds no component")])
+def test_a_height_that_fixed_components_alone_hold(given: str, said: str) -> None:
+    made = lagrangian(
+        "post", ["X", "s"], [[1, "1/4"], ["1/4", 1]], [0, 0], "X", "s^2 - 1", 1,
+        place={"s": given, "s_dot": 0}, fixed=["s", "s_dot"],
+    )  # fmt: skip
+    found = critical_friction(made)
+    assert said in found.reason
+    assert found.infinite is (given == "2")
+    assert f"with s = {given} fixed" in str(found)
