@@ -56,6 +56,7 @@ ROOMS: dict[str, tuple[tuple[str, ...], ...]] = {
     ),
     "mechanisms": (
         ("", "table"),
+        ("fates",),
         ("approach", "sweep"),
         ("foreign", "spots"),
         ("derive",),

@@ -7,15 +7,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 from flint import arb
 
-from gspot_verified.mechanisms.approach.slip_flow import Numbers, SlipNumbers
+from gspot_verified.mechanisms.approach.slip_flow import Numbers
 from gspot_verified.numbers.balls import add_remainder, current_bits
 from gspot_verified.numbers.evidence import every, in_interior, less
 from gspot_verified.numbers.verdict import Evidence
 
 _INFLATIONS = 4  # tries to inflate a box until nothing leaves it: any number is correct
+
+
+class NumbersOnBoxes(Protocol):
+    """Evaluates p, b, u, the α's, F and G on boxes of components that form a closed system."""
+
+    def on(self, box: Sequence[arb]) -> Numbers:
+        """On one box."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +46,7 @@ class Capture:
     evidence: Evidence
 
 
-def capture(numbers: SlipNumbers, states: Sequence[arb], least_slip: arb | None) -> Capture | None:
+def capture(numbers: NumbersOnBoxes, states: Sequence[arb], least_slip: arb | None) -> Capture | None:
     """The neighbourhood of the states (with p > 0 and b < 0), or None when a hypothesis could not be verified.
 
     ``least_slip`` is the surface's velocity below which slip is not positive; None when nothing is asked of u.

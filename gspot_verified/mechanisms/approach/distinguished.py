@@ -89,13 +89,22 @@ def force_at(field: VectorField, trajectory: Distinguished, p: arb, disc: arb, r
 
     ``region`` must hold the trajectory for all smaller p.
     """
-    n = trajectory.order
     if not (p > 0 and p < disc):
+        return None
+    rest = force_rest(field, trajectory, p.upper(), disc, region)
+    return None if rest is None else add_remainder(trajectory.force(p), rest * p.upper() ** (trajectory.order + 1))
+
+
+def force_rest(field: VectorField, trajectory: Distinguished, last: arb, disc: arb, region: FlowBounds) -> arb | None:
+    """E of Theorem A3: λ on the distinguished trajectory is within E p^(order + 1) of the polynomial for every p with
+    0 <= p <= ``last`` < ``disc``; None when a hypothesis is not certain.
+    """
+    n = trajectory.order
+    if not (last > 0 and last < disc):
         return None
     bounds = _bounds(field, trajectory, disc)
     if bounds is None:
         return None
-    last = p.upper()
     S_bound, R_bound = bounds
     geometric = 1 / (1 - last / disc)
     d_S = S_bound * disc**-n * geometric
@@ -114,7 +123,7 @@ def force_at(field: VectorField, trajectory: Distinguished, p: arb, disc: arb, r
     for polynomial, side, width in zip((*trajectory.state, trajectory.force), region.box, widths, strict=True):
         if not side.contains_interior(add_remainder(polynomial(whole), width * power)):
             return None
-    return add_remainder(trajectory.force(p), E * power)
+    return E.upper()
 
 
 def _bounds(field: VectorField, trajectory: Distinguished, disc: arb) -> tuple[arb, arb] | None:

@@ -20,38 +20,25 @@ from gspot_verified.mechanisms.derive.to_system import Shifted
 
 
 @dataclass(frozen=True)
-class SlipFlow:
-    """The functions of Sec. 2 of one mechanism, as expressions of its shifted state at one precision."""
+class ClosedFlow:
+    """F and G of some components, with p, b and the α's, as functions of these components alone."""
 
     F: tuple[Expression, ...]
     G: tuple[Expression, ...]
-    y: Expression
-    v: Expression
     p: Expression
     b: Expression
-    u: Expression
     alpha_1: Expression
     alpha_2: Expression
     alpha_3: Expression
 
-    @classmethod
-    def of(cls, shifted: Shifted) -> SlipFlow:
-        """From a mechanism; constants that are balls have the precision in force."""
-        f = shifted.functions
-        scalars = (f.y, f.v, f.p, f.b, f.u, f.alpha_1, f.alpha_2, f.alpha_3)
-        size = len(f.F)
-        expressions = shifted.expressions([*f.F, *f.G, *scalars], BALLS)
-        return cls(tuple(expressions[:size]), tuple(expressions[size : 2 * size]), *expressions[2 * size :])
-
     @property
     def dimension(self) -> int:
-        """The number of components of the state."""
+        """The number of components."""
         return len(self.F)
 
-    def desingularised(self) -> VectorField:
-        """(p F - b G, p): the state and the time t as functions of s; component m is t."""
-        functions = [self.p * f - self.b * g for f, g in zip(self.F, self.G, strict=True)]
-        return VectorField([*functions, self.p])
+    def slowed(self) -> list[Expression]:
+        """p F - b G: the components as functions of s."""
+        return [self.p * f - self.b * g for f, g in zip(self.F, self.G, strict=True)]
 
     def by_p(self) -> VectorField:
         """(S, R) of (ξ, λ): dξ/dp = S = (F + G λ)/α_1 and p dλ/dp = R = (α_3/α_1 - 1) λ - α_2/α_1; λ is component m."""
@@ -59,6 +46,28 @@ class SlipFlow:
         S = [(f + g * force) / self.alpha_1 for f, g in zip(self.F, self.G, strict=True)]
         beta = self.alpha_3 / self.alpha_1
         return VectorField([*S, beta * force - force - self.alpha_2 / self.alpha_1])
+
+
+@dataclass(frozen=True)
+class SlipFlow(ClosedFlow):
+    """The functions of Sec. 2 of one mechanism, as expressions of its shifted state at one precision."""
+
+    y: Expression
+    v: Expression
+    u: Expression
+
+    @classmethod
+    def of(cls, shifted: Shifted) -> SlipFlow:
+        """From a mechanism; constants that are balls have the precision in force."""
+        f = shifted.functions
+        scalars = (f.p, f.b, f.alpha_1, f.alpha_2, f.alpha_3, f.y, f.v, f.u)
+        size = len(f.F)
+        expressions = shifted.expressions([*f.F, *f.G, *scalars], BALLS)
+        return cls(tuple(expressions[:size]), tuple(expressions[size : 2 * size]), *expressions[2 * size :])
+
+    def desingularised(self) -> VectorField:
+        """(p F - b G, p): the state and the time t as functions of s; component m is t."""
+        return VectorField([*self.slowed(), self.p])
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +82,13 @@ class Numbers:
     alpha_3: arb
     F: tuple[arb, ...]
     G: tuple[arb, ...]
+
+    @classmethod
+    def of(cls, values: Sequence[arb]) -> Numbers:
+        """From the values of p, b, u, α_1, α_2, α_3, F and G, in this order."""
+        p, b, u, first, second, third, *fields = values
+        F, G = fields[: len(fields) // 2], fields[len(fields) // 2 :]
+        return cls(p=p, b=b, u=u, alpha_1=first, alpha_2=second, alpha_3=third, F=tuple(F), G=tuple(G))
 
     @property
     def force(self) -> arb:
@@ -92,10 +108,7 @@ class SlipNumbers:
 
     def on(self, box: Sequence[arb]) -> Numbers:
         """On one box."""
-        values = self._program.values(list(box[: self._size]))
-        p, b, u, first, second, third = values[:6]
-        F, G = values[6 : 6 + self._size], values[6 + self._size :]
-        return Numbers(p=p, b=b, u=u, alpha_1=first, alpha_2=second, alpha_3=third, F=tuple(F), G=tuple(G))
+        return Numbers.of(self._program.values(list(box[: self._size])))
 
     def beta_slopes(self, box: Sequence[arb]) -> list[arb]:
         """The partial derivatives of α_3/α_1 on a box."""

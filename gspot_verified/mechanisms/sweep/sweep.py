@@ -9,7 +9,6 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from flint import arb, fmpq
 
@@ -22,27 +21,22 @@ from gspot_verified.mechanisms.sweep.sweep_division import Patchwork
 from gspot_verified.mechanisms.sweep.sweep_ends import with_folds, without_gaps
 from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
-from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid, cells
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid, Ranges, axes_of, cells
 from gspot_verified.mechanisms.sweep.sweep_links import linked
 from gspot_verified.mechanisms.sweep.sweep_piece import NO_NUMBERS, Kind, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 from gspot_verified.mechanisms.sweep.sweep_work import Question, open_journal, portions, results
 from gspot_verified.numbers.balls import Exact, ExactInput, working_bits
 from gspot_verified.work.executors import InProcessExecutor
-from gspot_verified.work.ranges import Range
 
-DEFAULT_CELLS = {1: 64, 2: 32}  # on each axis, by the number of parameters
 BUDGET = 500  # pieces that are divided again, where no budget is given
-MAX_CELLS = 1_000_000  # a limit against endless work
 _MAX_DIGITS = 15  # of a bracket: BITS = 80 leave about 24 decimals
 _OTHER = "the continued spot"
-
-Over = Mapping[str, str | tuple[ExactInput, ExactInput] | tuple[ExactInput, ExactInput, int]]
 
 
 def sweep(
     mechanism: Mechanism,
-    parameters: Over,
+    parameters: Ranges,
     *,
     start: Mapping[str, ExactInput] | None = None,
     spot: int | None = None,
@@ -173,40 +167,14 @@ def _other(piece: SweepPiece) -> SweepPiece:
     )  # fmt: skip
 
 
-def _axes(mechanism: Mechanism, parameters: Over) -> tuple[Axis, ...]:
-    if len(parameters) not in DEFAULT_CELLS:
-        raise ValueError(f"a sweep has one or two parameters, got {len(parameters)}")
+def _axes(mechanism: Mechanism, parameters: Ranges) -> tuple[Axis, ...]:
     mechanism.with_parameters(**dict.fromkeys(parameters))
-    axes = []
-    for name, given in parameters.items():
-        lower, upper, count = _ends(name, given)
-        cells_asked = DEFAULT_CELLS[len(parameters)] if count is None else count
-        if type(cells_asked) is not int or cells_asked < 1:
-            raise ValueError(f"{name}: the number of cells must be an int >= 1")
-        if not lower < upper:
-            raise ValueError(f"{name}: the range must have a lower end below its upper end, got {lower}..{upper}")
-        for value in (lower, upper, lower + min(fmpq(1), upper - lower) / 2, max(lower, min(upper, fmpq(0)))):
-            mechanism.with_parameters(**{name: value})  # refused where formulas assume another sign, or an integer
-        axes.append(Axis(name, lower, upper, cells_asked))
-    total = 1
+    axes = axes_of(parameters)
     for axis in axes:
-        total *= axis.cells
-    if total > MAX_CELLS:
-        raise ValueError(f"a sweep has at most {MAX_CELLS} cells, got {total}")
-    return tuple(axes)
-
-
-def _ends(name: str, given: Any) -> tuple[fmpq, fmpq, int | None]:
-    if not isinstance(given, str):
-        lower, upper, *count = given
-        return exact_rational(lower, name), exact_rational(upper, name), count[0] if count else None
-    text, colon, number = given.partition(":")
-    parsed = Range.parse(text, name)
-    if parsed.lower is None or parsed.upper is None:
-        raise ValueError(f"{name}: the range must be finite")
-    if colon and not number.strip().isdecimal():
-        raise ValueError(f'{name}: expected "lower..upper:cells" such as "1.4..2:200", got {given[:60]!r}')
-    return parsed.lower, parsed.upper, int(number) if colon else None
+        low, high = axis.lower, axis.upper
+        for value in (low, high, low + min(fmpq(1), high - low) / 2, max(low, min(high, fmpq(0)))):
+            mechanism.with_parameters(**{axis.name: value})  # refused where formulas assume another sign, or an integer
+    return axes
 
 
 def _start(mechanism: Mechanism, axes: Sequence[Axis], given: Mapping[str, ExactInput]) -> tuple[fmpq, ...]:

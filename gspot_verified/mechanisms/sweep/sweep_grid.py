@@ -6,22 +6,28 @@ import itertools
 import math
 from array import array
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import overload
+from typing import Any, overload
 
 from flint import arb, arb_mat, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.mechanisms.input.mechanism import exact_rational
 from gspot_verified.mechanisms.sweep.sweep_cell import Cell
 from gspot_verified.mechanisms.sweep.sweep_start import Origin
-from gspot_verified.numbers.balls import approximate, working_bits
+from gspot_verified.numbers.balls import ExactInput, approximate, working_bits
 from gspot_verified.numbers.written import Written
+from gspot_verified.work.ranges import Range
 
 _BITS = 64  # working precision of a search that proves nothing
 _STEPS = 6  # of Newton's method from a neighbour's spot: further away it may end at another spot
 _SMALL = 1e-6  # relative size of the last step: the tube finds the rest
 
+DEFAULT_CELLS = {1: 64, 2: 32}  # on each axis, by the number of ranges
+MAX_CELLS = 1_000_000  # a limit against endless work
+
+Ranges = Mapping[str, str | tuple[ExactInput, ExactInput] | tuple[ExactInput, ExactInput, int]]
 Index = tuple[int, ...]
 Near = tuple[int, bytes] | Origin | None
 """The number of a cell with centre and slopes in its middle, as doubles; or a place of its own; or no place."""
@@ -95,6 +101,41 @@ class Grid:
             for step in (-1, 1):
                 if 0 <= index[side] + step < axis.cells:
                     yield (*index[:side], index[side] + step, *index[side + 1 :])
+
+
+def axes_of(ranges: Ranges) -> tuple[Axis, ...]:
+    """One or two ranges: name to "lower..upper", "lower..upper:cells" or (lower, upper, cells).
+
+    :raises ValueError: another number of ranges, an empty or infinite one, or too many cells.
+    """
+    if len(ranges) not in DEFAULT_CELLS:
+        raise ValueError(f"a sweep has one or two parameters, got {len(ranges)}")
+    axes = []
+    for name, given in ranges.items():
+        lower, upper, count = _ends(name, given)
+        cells_asked = DEFAULT_CELLS[len(ranges)] if count is None else count
+        if type(cells_asked) is not int or cells_asked < 1:
+            raise ValueError(f"{name}: the number of cells must be an int >= 1")
+        if not lower < upper:
+            raise ValueError(f"{name}: the range must have a lower end below its upper end, got {lower}..{upper}")
+        axes.append(Axis(name, lower, upper, cells_asked))
+    total = math.prod(axis.cells for axis in axes)
+    if total > MAX_CELLS:
+        raise ValueError(f"a sweep has at most {MAX_CELLS} cells, got {total}")
+    return tuple(axes)
+
+
+def _ends(name: str, given: Any) -> tuple[fmpq, fmpq, int | None]:
+    if not isinstance(given, str):
+        lower, upper, *count = given
+        return exact_rational(lower, name), exact_rational(upper, name), count[0] if count else None
+    text, colon, number = given.partition(":")
+    parsed = Range.parse(text, name)
+    if parsed.lower is None or parsed.upper is None:
+        raise ValueError(f"{name}: the range must be finite")
+    if colon and not number.strip().isdecimal():
+        raise ValueError(f'{name}: expected "lower..upper:cells" such as "1.4..2:200", got {given[:60]!r}')
+    return parsed.lower, parsed.upper, int(number) if colon else None
 
 
 class GridCells(Sequence[Cell]):

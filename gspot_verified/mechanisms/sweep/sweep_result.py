@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from flint import fmpq
 
@@ -26,7 +26,7 @@ from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
-from gspot_verified.numbers.written import Written, under
+from gspot_verified.numbers.written import Written, form, under
 from gspot_verified.signs.gamma.side import side_text
 
 _SLIP = "slip_velocity"
@@ -274,6 +274,10 @@ class Sweep(NoTruthValue, Written):
         bounds = [f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")]
         yield ",".join(columns(("", ends), ("answer_", words), ("spot_", bounds))) + "\n"
         yield from (_csv_line(piece) + "\n" for piece in self.pieces)
+
+    def in_parts(self) -> tuple[dict[str, Any], Iterator[dict[str, Any]]]:
+        """The plain data without the pieces, and that of the pieces, one after the other."""
+        return SweepSummary(self).to_json(), (form(PieceRow).write(piece_row(piece)) for piece in self.pieces)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, fields
@@ -28,8 +28,8 @@ from gspot_verified.mechanisms.sweep.sweep_piece import SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, read_choice
 from gspot_verified.mechanisms.zeros.tube import Equations
 from gspot_verified.numbers.balls import working_bits
-from gspot_verified.work.executors import in_order
 from gspot_verified.work.journal_file import JournalFile
+from gspot_verified.work.kept_portions import kept_results
 
 _PORTION = 32  # cells of one task, and of one line of the journal
 _VERSION = 2  # of the journal's form, which its first line names
@@ -145,18 +145,8 @@ def results(
 
     :raises ValueError: a line of the journal cannot be read.
     """
-    known = {} if journal is None else recalled(journal)
-
-    def task(number: int, cells: Sequence[Cell]) -> Callable[[], Answer]:
-        if journal is not None and number in known:
-            return partial(proved_again, question, cells, journal.lines[known[number][0]])
-        return partial(examine, question, cells, None, journal is not None)
-
-    tasks = (task(number, cells) for number, cells in enumerate(work, first))
-    for number, answer in enumerate(in_order(executor, tasks), first):
-        if journal is not None and (number not in known or known[number][1] != answer.digest):
-            journal.add_text(f'[{number}, "{answer.digest}", {answer.choices}]')
-        yield answer
+    first_time, again = partial(examine, question, kept=journal is not None), partial(proved_again, question)
+    yield from kept_results(work, executor, journal, first_time, again, read_line, first)
 
 
 def open_journal(
@@ -167,18 +157,6 @@ def open_journal(
     :raises ValueError: the file belongs to another question or other sources, or another run uses it.
     """
     return nullcontext() if path is None else JournalFile(path, question.header(start, spot))
-
-
-def recalled(journal: JournalFile) -> dict[int, tuple[int, str]]:
-    """Of each portion its last line, by number, and the digest there."""
-    recalled: dict[int, tuple[int, str]] = {}
-    for k, line in enumerate(journal.lines):
-        try:
-            number, expected, _ = read_line(line)
-        except (ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
-            raise ValueError(f"{journal.path}: a line of the journal cannot be read: {error}") from None
-        recalled[number] = k, expected
-    return recalled
 
 
 def read_line(line: str) -> tuple[int, str, Choices]:

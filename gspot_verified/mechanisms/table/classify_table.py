@@ -27,14 +27,15 @@ from gspot_verified.mechanisms.sweep.sweep_findings import findings
 from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, interval
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
-from gspot_verified.mechanisms.sweep.sweep_work import compiled, read_line, recalled, whole_text
+from gspot_verified.mechanisms.sweep.sweep_work import compiled, read_line, whole_text
 from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
 from gspot_verified.mechanisms.table.parameter_rows import ParameterRow, Row, parameter_rows
 from gspot_verified.mechanisms.table.row_search import Start, middle_of, searched
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube
 from gspot_verified.numbers.balls import working_bits
-from gspot_verified.work.executors import InProcessExecutor, in_order
+from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.journal_file import JournalFile
+from gspot_verified.work.kept_portions import kept_results
 
 _PORTION = 64  # rows of one task, and of one line of the journal
 _NOT_FOUND = "no G-spot was found from the place that the mechanism names"
@@ -123,18 +124,10 @@ def _classified(
     progress: Callable[[int], None] | None,
 ) -> Iterator[ClassifiedRow]:
     try:
-        known = {} if journal is None else recalled(journal)
-
-        def task(number: int, portion: list[ParameterRow]) -> Callable[[], _Answer]:
-            if journal is not None and number in known:
-                return partial(_proved_again, question, portion, journal.lines[known[number][0]])
-            return partial(_examined, question, portion)
-
         portions = iter(lambda: list(islice(rows, _PORTION)), [])
+        first, again = partial(_examined, question), partial(_proved_again, question)
         done = 0
-        for number, answer in enumerate(in_order(executor, (task(*each) for each in enumerate(portions)))):
-            if journal is not None and (number not in known or known[number][1] != answer.digest):
-                journal.add_text(f'[{number}, "{answer.digest}", {answer.choices}]')
+        for answer in kept_results(portions, executor, journal, first, again, read_line):
             done += len(answer.rows)
             if progress is not None:
                 progress(done)

@@ -1,0 +1,1 @@
+"""Where slip from a whole box of states ends."""

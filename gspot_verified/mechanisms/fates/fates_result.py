@@ -1,0 +1,155 @@
+"""The result of a sweep over states, as text, JSON and CSV."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from flint import fmpq
+
+from gspot_verified.mechanisms.fates.box_fate import Fate
+from gspot_verified.mechanisms.fates.fate_piece import FatePiece
+from gspot_verified.mechanisms.fates.spot_sides import SpotSides
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis
+from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exact
+from gspot_verified.numbers.counted import counted
+from gspot_verified.numbers.evidence import cover_by_boxes
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written, under
+
+_SUMMARY = "name axes state surface_velocity sides verdict shares notes"
+_WORDS = {
+    Fate.BELOW: "the G-spot is reached with C1 < 0",
+    Fate.ABOVE: "the G-spot is reached with C1 > 0",
+    Fate.SPOT: "a G-spot is reached, the sign of C1 is open",
+    Fate.LIFT_OFF: "lift-off before any G-spot",
+    Fate.STICK: "stick before any G-spot",
+    Fate.OPENS: "no slip in contact: p > 0 and b > 0, the contact opens at once",
+    Fate.PAINLEVE: "no slip in contact: p < 0 (Painlevé's paradox)",
+    Fate.NO_SLIP: "no positive slip at the start",
+    Fate.UNDECIDED: "undecided",
+}
+
+
+@dataclass(frozen=True)
+class Fates(NoTruthValue, Written):
+    """The result of :func:`fates`. ``pieces`` cover the range; of each the fate holds for every state in it.
+
+    ``state`` is what does not vary. ``sides``: what the sign of C_1 means at the G-spot. The pieces that reach it and
+    whose sign of C_1 is open bracket the states with C_1 = 0, the canard's, as far as no other piece is undecided.
+    """
+
+    ask: ClassVar[str] = ".verdict.outcome says whether the fate of every state is known"
+    written: ClassVar[str] = f"{_SUMMARY} pieces"
+
+    name: str
+    axes: tuple[Axis, ...]
+    state: tuple[tuple[str, str], ...]
+    surface_velocity: fmpq
+    sides: SpotSides
+    pieces: tuple[FatePiece, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def shares(self) -> dict[str, fmpq]:
+        """How much of the range has each fate, as a part of 1."""
+        total = _size(tuple(axis.lower for axis in self.axes), tuple(axis.upper for axis in self.axes))
+        sizes: dict[str, fmpq] = {}
+        for piece in self.pieces:
+            name = piece.fate.value
+            sizes[name] = sizes.get(name, fmpq(0)) + _size(piece.lower, piece.upper) / total
+        return sizes
+
+    @property
+    def verdict(self) -> Verdict:
+        """Proved when no piece is undecided; then the sign of C_1 may be open on some, along the canard's curve."""
+        over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)
+        statement = f"{self.name}: where rigid slip ends, for every {over}"
+        lower, upper = tuple(axis.lower for axis in self.axes), tuple(axis.upper for axis in self.axes)
+        left = sum(piece.fate is Fate.UNDECIDED for piece in self.pieces)
+        known = cover_by_boxes(
+            ((piece.lower, piece.upper) for piece in self.pieces if piece.fate is not Fate.UNDECIDED), (lower, upper)
+        )
+        if left or known is None:
+            detail = (
+                f"{left} of {counted(len(self.pieces), 'piece')} left; more cells, or a larger budget, may settle more"
+            )
+            return Verdict.undecided(statement, Reason.BUDGET, detail)
+        crossed = sum(piece.fate is Fate.SPOT for piece in self.pieces)
+        return Verdict.proved(
+            statement, known, f"the sign of C1 is open on {counted(crossed, 'piece')}" if crossed else ""
+        )
+
+    def at(self, **values: ExactInput) -> FatePiece:
+        """A piece that holds these values of the components that vary.
+
+        :raises ValueError: a value is missing, or outside of the range.
+        """
+        place = []
+        for axis in self.axes:
+            value = exact(values[axis.name], axis.name) if axis.name in values else None
+            if not isinstance(value, fmpq) or not axis.lower <= value <= axis.upper:
+                raise ValueError(f"{axis.name}: a rational in [{axis.lower}, {axis.upper}] is needed")
+            place.append(value)
+        return next(piece for piece in self.pieces if piece.holds(tuple(place)))
+
+    def words(self, fate: Fate) -> str:
+        """The fate in words, with the side for small epsilon where Theorem R gives one."""
+        side = {Fate.BELOW: self.sides.below, Fate.ABOVE: self.sides.above}.get(fate)
+        names = {"lift-off": "lift-off", "impact": "impact without collision"}
+        return _WORDS[fate] + (f": {names[side]} for small epsilon" if side else "")
+
+    def __str__(self) -> str:
+        state = ", ".join(f"{word} = {value}" for word, value in self.state)
+        lines = [str(self.verdict), f"  from {state}; stick is u = {self.surface_velocity}"]
+        lines.append(f"  the G-spot: Case {self.sides.case}, beta = {ball_text(self.sides.beta, 8)}")
+        for fate in Fate:
+            share = self.shares.get(fate.value)
+            if share is not None:
+                lines.append(f"  {100 * approximate(share):.4g} %: {self.words(fate)}")
+        if self.sides.why:
+            lines.append(f"  no side for small epsilon: {self.sides.why}")
+        else:
+            lines.append("  sides rest on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed")
+        return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
+
+    def to_csv(self) -> str:
+        """One line for each piece: its ends exactly and as decimals, the fate, the side, why it is open."""
+        return "".join(self.csv_lines())
+
+    def csv_lines(self) -> Iterator[str]:
+        """The lines of :meth:`to_csv` with their line feeds, one after the other."""
+        head = [f"{a.name}_{end}{form}" for a in self.axes for end in ("lower", "upper") for form in ("", "_exact")]
+        yield ",".join([*head, "fate", "side", "why"]) + "\n"
+        sides = {Fate.BELOW: self.sides.below or "", Fate.ABOVE: self.sides.above or ""}
+        for piece in self.pieces:
+            ends = [
+                text
+                for low, high in zip(piece.lower, piece.upper, strict=True)
+                for end in (low, high)
+                for text in (repr(approximate(end)), str(end))
+            ]
+            words = [piece.fate.value, sides.get(piece.fate, ""), piece.why]
+            yield ",".join([*ends, *(f'"{word}"' if "," in word else word for word in words)]) + "\n"
+
+    def in_parts(self) -> tuple[dict[str, Any], Iterator[dict[str, Any]]]:
+        """The plain data without the pieces, and that of the pieces, one after the other."""
+        return FatesSummary(self).to_json(), (piece.to_json() for piece in self.pieces)
+
+
+@dataclass(frozen=True)
+class FatesSummary(NoTruthValue, Written):
+    """What a sweep over states says of its range as a whole: its plain data without the pieces."""
+
+    ask: ClassVar[str] = ".fates.verdict.outcome says whether the fate of every state is known"
+    written: ClassVar[str] = under("fates", _SUMMARY)
+
+    fates: Fates
+
+
+def _size(lower: tuple[fmpq, ...], upper: tuple[fmpq, ...]) -> fmpq:
+    size = fmpq(1)
+    for low, high in zip(lower, upper, strict=True):
+        size *= high - low
+    return size
