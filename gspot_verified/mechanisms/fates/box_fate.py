@@ -144,7 +144,7 @@ def _height(frame: Frame, orbit: Reference, box: Sequence[arb], p: arb) -> arb:
 
 def _in_strip(strip: Strip, p: arb, slip: arb) -> BoxFate:
     """The fate of the states between two orbits that have these p and slip velocities, with b < 0."""
-    shown: list[Evidence | None] = []
+    shown: list[Evidence | None] = [strip.below.evidence, strip.above.evidence]
     may_open, may_stick = False, False
     least, most = slip.lower(), slip.upper()
     for part in strip.slices:
@@ -154,7 +154,7 @@ def _in_strip(strip: Strip, p: arb, slip: arb) -> BoxFate:
         drop = part.drop if whole else hull([arb(0), part.drop])
         slides = less(0, least - drop.upper().max(arb(0)))
         least, most = least - drop.upper(), most - drop.lower()
-        shown += [part.evidence, slides or part.evidence, part.presses or part.evidence]
+        shown += [part.evidence, *(each for each in (slides, part.presses) if each is not None)]
         may_stick, may_open = may_stick or slides is None, may_open or part.presses is None
         if may_stick and may_open:
             return _open("lift-off and stick: which comes first, or whether, is not certain")
@@ -172,4 +172,4 @@ def _in_strip(strip: Strip, p: arb, slip: arb) -> BoxFate:
     fate = Fate.SPOT
     if strip.below.sign == strip.above.sign:
         fate = Fate.ABOVE if strip.above.sign > 0 else Fate.BELOW
-    return BoxFate(fate, every([*shown, strip.end, slides, strip.below.evidence, strip.above.evidence]))
+    return BoxFate(fate, every([*shown, strip.end, slides]))

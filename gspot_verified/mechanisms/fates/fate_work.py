@@ -19,6 +19,7 @@ from flint import fmpq
 
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.fates.fate_piece import OPEN, FatePiece, StartBox
+from gspot_verified.mechanisms.fates.planar_flow import PlanarFlow
 from gspot_verified.mechanisms.fates.prepared import Prepared, prepared
 from gspot_verified.mechanisms.fates.starts import Starts
 from gspot_verified.mechanisms.input.mechanism import Mechanism
@@ -55,6 +56,16 @@ class Question:
     def sides(self) -> tuple[fmpq, ...]:
         """Those of a cell."""
         return tuple((axis.upper - axis.lower) / axis.cells for axis in self.grid.axes)
+
+    def check(self) -> None:
+        """Says what is wrong with the state or the mechanism, before any work.
+
+        :raises MechanismError: the flow is not planar, or the state is none.
+        """
+        with working_bits(BITS):
+            shifted = shift(self.mechanism)
+            Starts(shifted, dict(self.given), [axis.name for axis in self.grid.axes])
+            PlanarFlow(shifted)
 
     def prepared(self) -> Prepared:
         """Compiled once in each process."""

@@ -68,7 +68,7 @@ def fates(
     given = tuple((word, _text(word, value)) for word, value in state.items())
     velocity = exact_rational(surface_velocity, "surface_velocity")
     question = Question(at_spot(mechanism, spot), given, Grid(axes), velocity)
-    question.prepared()  # what is wrong with the state is said here, before any work
+    question.check()
     sides = spot_sides(question.mechanism)
     workers = executor or InProcessExecutor()
     first, again = partial(examine, question), partial(proved_again, question)

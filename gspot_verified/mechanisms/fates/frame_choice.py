@@ -17,14 +17,12 @@ from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.fates.box_fate import Frame
 from gspot_verified.mechanisms.fates.planar_flow import PlanarFlow
 from gspot_verified.mechanisms.fates.reference import Reference, reference
-from gspot_verified.mechanisms.fates.strip import Strip, strip
+from gspot_verified.mechanisms.fates.strip import region_of, strip
 from gspot_verified.mechanisms.fates.trajectory_side import TrajectorySide
-from gspot_verified.numbers.balls import add_remainder, approximate, hull
-from gspot_verified.numbers.evidence import signed
-from gspot_verified.numbers.verdict import Evidence
+from gspot_verified.numbers.balls import approximate
 
-_ORBITS = 20  # at equal distances, before those that are added where the sign changes
-_HALVINGS = 10  # of the distance between two orbits with different signs of C_1
+_MOST_ORBITS, _FEWEST_ORBITS = 20, 6  # at equal distances, before those that are added where the sign changes
+_HALVINGS = 4  # of the distance between two orbits that end differently, beyond those of the cells
 _SLICES = 64  # of the range of p
 _BACK = 24  # steps of Runge and Kutta's method
 _BEYOND = 1.02  # times the largest p of the range
@@ -33,10 +31,16 @@ _PARTS = (0.01, 0.05, 0.2)  # of the whole distance: where further orbits begin 
 _MARGIN = 2.0**-20  # by which the first slice begins below the orbits
 
 Point = tuple[float, float]
+Begun = tuple[Point, Reference]
 
 
-def frames(plane: PlanarFlow, along: int, side: TrajectorySide, edge: Iterable[Sequence[arb]]) -> tuple[Frame, ...]:
-    """Orbits for a range of starts with these points of the plane on its edge, in frames from larger and larger p."""
+def frames(
+    plane: PlanarFlow, along: int, side: TrajectorySide, edge: Iterable[Sequence[arb]], cells: int
+) -> tuple[Frame, ...]:
+    """Orbits for a range of starts with these points of the plane on its edge, in frames from larger and larger p.
+
+    ``cells``: the most along a side of the range; as many orbits suffice, or fewer.
+    """
     points = []
     for states in edge:
         at = approximate(states[0]), approximate(states[1])
@@ -46,42 +50,61 @@ def frames(plane: PlanarFlow, along: int, side: TrajectorySide, edge: Iterable[S
     if not points:
         return ()
     largest = _BEYOND * max(p for _, p in points)
+    orbits = min(max(cells, _FEWEST_ORBITS), _MOST_ORBITS)
     tops = [largest / _APART**k for k in range(_FRAMES)]
-    found = (_frame(plane, along, side, [each for each in points if each[1] < top], top) for top in reversed(tops))
+    found = (
+        _frame(plane, along, side, [each for each in points if each[1] < top], top, orbits) for top in reversed(tops)
+    )
     return tuple(frame for frame in found if frame is not None)
 
 
 def _frame(
-    plane: PlanarFlow, along: int, side: TrajectorySide, points: Sequence[tuple[Point, float]], top: float
+    plane: PlanarFlow, along: int, side: TrajectorySide, points: Sequence[tuple[Point, float]], top: float, orbits: int
 ) -> Frame | None:
-    begin = _starts(plane, along, points, top)
-    found: list[tuple[Point, Reference]] = []
+    begin = _starts(plane, along, points, top, orbits)
+    found: list[Begun] = []
     for point in begin:
         orbit = reference(plane, along, side, [arb(value) for value in point])
         if orbit is not None:
             found.append((point, orbit))
-    for _ in range(_HALVINGS):
-        gap = next((k for k, (a, b) in enumerate(itertools.pairwise(found)) if a[1].sign != b[1].sign), None)
-        if gap is None:
-            break
-        point = _middle(found[gap][0], found[gap + 1][0])
-        orbit = reference(plane, along, side, [arb(value) for value in point])
-        if orbit is None:
-            break
-        found.insert(gap + 1, (point, orbit))
+    depth = _HALVINGS + orbits.bit_length()
+    for one, other in list(itertools.pairwise(found)):
+        found += _refined(plane, along, side, one, other, depth)
+    found.sort(key=lambda each: each[0][along])
     return _framed(plane, side, [orbit for _, orbit in found])
+
+
+def _refined(plane: PlanarFlow, along: int, side: TrajectorySide, one: Begun, other: Begun, depth: int) -> list[Begun]:
+    """Orbits between two that end differently, nearer and nearer to where that changes."""
+    if depth == 0 or _kind(one[1]) == _kind(other[1]):
+        return []
+    point = _middle(one[0], other[0])
+    orbit = reference(plane, along, side, [arb(value) for value in point])
+    if orbit is None:
+        return []
+    middle = point, orbit
+    before = _refined(plane, along, side, one, middle, depth - 1)
+    return [*before, middle, *_refined(plane, along, side, middle, other, depth - 1)]
+
+
+def _kind(orbit: Reference) -> tuple[int, bool]:
+    """The sign of C_1, and whether b seems to rise through 0 on the way."""
+    heights = [approximate(orbit.plane.p_and_b.values(list(segment.after.middle))[1]) for segment in orbit.segments]
+    return orbit.sign, any(a < 0 < b for a, b in itertools.pairwise(heights))
 
 
 def _middle(one: Point, other: Point) -> Point:
     return (one[0] + other[0]) / 2, (one[1] + other[1]) / 2
 
 
-def _starts(plane: PlanarFlow, along: int, points: Sequence[tuple[Point, float]], top: float) -> list[Point]:
+def _starts(
+    plane: PlanarFlow, along: int, points: Sequence[tuple[Point, float]], top: float, orbits: int
+) -> list[Point]:
     """Points with nearly this p on the orbits through the given ones (which have their p), in the order of places."""
     rate = BoxProgram(plane.by_log_p.functions, 2)
     back = [_back(rate, point, math.log(top / p)) for point, p in points]
     known = sorted((point for point in back if point is not None), key=itemgetter(along))
-    chosen = [known[round(k * (len(known) - 1) / (_ORBITS - 1))] for k in range(_ORBITS)] if known else []
+    chosen = [known[round(k * (len(known) - 1) / (orbits - 1))] for k in range(orbits)] if known else []
     distinct = [point for point, _ in itertools.groupby(chosen)]
     if len(distinct) < 2:
         return distinct
@@ -131,19 +154,8 @@ def _framed(plane: PlanarFlow, side: TrajectorySide, orbits: Sequence[Reference]
     knots = [first, *(arb(approximate(first) * factor ** (k / _SLICES)) for k in range(1, _SLICES)), last]
     strips = [strip(plane, *pair, side, knots) for pair in itertools.pairwise(ordered)]
     while strips:
-        found = _region(plane, ordered[0].along, strips)
+        found = region_of(plane, ordered[0].along, strips)
         if found is not None:
             return Frame(plane, tuple(ordered), tuple(strips), *found, first, last)
         del strips[0], ordered[0]
     return None
-
-
-def _region(plane: PlanarFlow, along: int, strips: Sequence[Strip]) -> tuple[tuple[arb, ...], Evidence] | None:
-    """A box around all strips on which p and the place are coordinates, with what shows it."""
-    boxes = [part.box for each in strips for part in each.slices]
-    if not strips[0].slices:
-        return None
-    sides = [hull(own) for own in zip(*boxes, strict=True)]
-    region = [add_remainder(side, side.rad() / 8) for side in sides]
-    regular = signed(plane.p_and_b.gradients(region)[1][0][1 - along])
-    return None if regular is None or regular[0] == 0 else (tuple(region), regular[1])

@@ -1,4 +1,7 @@
-"""What is made once for all boxes of one question: the starts, the plane, the orbits to compare with."""
+"""What is made once for all boxes of one question: the starts, the plane, the orbits to compare with.
+
+Which points are tried is a heuristic. Proof page: ``proofs/fates.md``, sections 1 and 3: any choice is correct.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ from gspot_verified.mechanisms.spots.g_spot import place_in, prove_near
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 from gspot_verified.numbers.balls import add_remainder, approximate, current_bits, hull
 
-_EDGE = 12  # points on each side of the range whose orbits are looked for
+_EDGE = 12  # points on each side of the range whose orbits are looked for; of a line twice as many
 _ORDER = 10  # of the distinguished trajectory's polynomial: any number is correct
 _SIZES = 12  # radii of its region that are tried, each half of the one before
 _LENGTHS = 8  # of its stretch of p, too
@@ -53,15 +56,17 @@ def prepared(shifted: Shifted, starts: Starts, axes: Sequence[Axis], surface: fm
     place = plane.of_state(prove_near(shifted, place_in(shifted, BALLS), current_bits()).system.point)
     side = _side(plane, place)
     edge = [plane.of_state(states) for at in _edge(axes) if (states := starts.whole(at, at)) is not None]
+    cells = max(axis.cells for axis in axes)
     # The place is the component on which p depends less.
     slopes = [abs(approximate(slope)) for slope in plane.p_and_b.gradients(place)[1][0]]
     along = int(slopes[0] > slopes[1])
-    return Prepared(starts, plane, () if side is None else frames(plane, along, side, edge), surface)
+    return Prepared(starts, plane, () if side is None else frames(plane, along, side, edge, cells), surface)
 
 
 def _edge(axes: Sequence[Axis]) -> Iterator[tuple[fmpq, ...]]:
     """Points on the edge of the range; of one axis, points of it."""
-    steps = [[axis.lower + (axis.upper - axis.lower) * k / _EDGE for k in range(_EDGE + 1)] for axis in axes]
+    count = _EDGE if len(axes) > 1 else 2 * _EDGE
+    steps = [[axis.lower + (axis.upper - axis.lower) * k / count for k in range(count + 1)] for axis in axes]
     if len(steps) == 1:
         yield from ((value,) for value in steps[0])
         return

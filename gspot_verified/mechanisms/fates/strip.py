@@ -17,7 +17,7 @@ from gspot_verified.mechanisms.fates.reference import Reference
 from gspot_verified.mechanisms.fates.trajectory_side import TrajectorySide
 from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import add_remainder, hull
-from gspot_verified.numbers.evidence import every, inside, less
+from gspot_verified.numbers.evidence import every, inside, less, signed
 from gspot_verified.numbers.verdict import Evidence
 
 _INFLATIONS = (1.25, 2, 4)  # of where the points are expected: any number is correct, Krawczyk's test decides
@@ -72,7 +72,7 @@ def strip(plane: PlanarFlow, below: Reference, above: Reference, side: Trajector
     supposed = plane.supposed(neighbourhood.box[:-1])
     if isinstance(supposed, str):
         return Strip(below, above, tuple(slices), None, arb(0))
-    near = every(inside(own, whole) for own, whole in zip(last[0], side.region, strict=False))
+    near = every(inside(own, whole) for own, whole in zip(neighbourhood.box[:-1], side.region, strict=False))
     end = every([last[1], near, neighbourhood.evidence, supposed])
     return Strip(below, above, tuple(slices), end, neighbourhood.reach[-1])
 
@@ -128,3 +128,14 @@ def _slice(plane: PlanarFlow, below: Reference, above: Reference, lower: arb, up
     second = plane.alphas.mean_values(box)[1]
     b = plane.p_and_b.mean_values(box)[1]
     return Slice(lower, upper, tuple(box), drop, less(b, 0) or less(second, 0), less(0, b), evidence)
+
+
+def region_of(plane: PlanarFlow, along: int, strips: Sequence[Strip]) -> tuple[tuple[arb, ...], Evidence] | None:
+    """A box around all strips on which p and the place are coordinates, with what shows it."""
+    boxes = [part.box for each in strips for part in each.slices]
+    if not strips[0].slices:
+        return None
+    sides = [hull(own) for own in zip(*boxes, strict=True)]
+    region = [add_remainder(side, side.rad() / 8) for side in sides]
+    regular = signed(plane.p_and_b.gradients(region)[1][0][1 - along])
+    return None if regular is None or regular[0] == 0 else (tuple(region), regular[1])

@@ -65,7 +65,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How many cells each portion had that was examined."""
     calls: list[int] = []
 
-    def own(question: Question, cells: list[Cell], known: Any = None, _kept: bool = True) -> Answer:
+    def own(question: Question, cells: list[Cell], known: Any = None, kept: bool = True) -> Answer:  # noqa: ARG001
         assert question is QUESTION
         if known is None:
             calls.append(len(cells))

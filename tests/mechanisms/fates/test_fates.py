@@ -1,0 +1,255 @@
+"""Fates of whole cells against exact solutions, float runs and forged journals."""
+
+from __future__ import annotations
+
+import json
+import random
+from collections import Counter
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import fmpq
+from scipy.integrate import solve_ivp
+
+from gspot_verified.mechanisms.approach.slip_state import StateError
+from gspot_verified.mechanisms.fates.box_fate import Fate
+from gspot_verified.mechanisms.fates.fate_piece import FatePiece
+from gspot_verified.mechanisms.fates.fates import fates
+from gspot_verified.mechanisms.fates.fates_result import Fates
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.numbers.verdict import Outcome
+
+BETA = 8 / 5
+FAMILY = """
+format = 1
+name = "alpha_2 changes its sign"
+[parameters]
+alpha_3 = "-8/5"
+[fields]
+state = ["x", "u", "y", "v", "p", "b"]
+F = ["u", 0, "v", "b", -1, "-1 + 8*p"]
+G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "alpha_3/(2*(1 - p))"]
+G_N = [0, "1/2", 0, "(1 + p)/2", 0, "-alpha_3/2"]
+[contact]
+x = "x"
+y = "y"
+mu = "1 - p"
+[g_spot]
+fixed = ["x", "u"]
+[g_spot.point]
+x = 0
+u = 1
+y = 0
+v = 0
+p = 0
+b = 0
+"""
+
+
+@cache
+def family() -> Mechanism:
+    return parse_mechanism(FAMILY)
+
+
+@cache
+def line_of_the_family() -> Fates:
+    return fates(family(), {"x": 0, "u": "9/4", "p": "1/2"}, {"b": "-13/2..-1/8:48"})
+
+
+def canard(p: float) -> float:
+    """b on the distinguished trajectory: p db/dp = p - 8 p^2 + beta b has the polynomial solution."""
+    return p / (1 - BETA) - 8 * p * p / (2 - BETA)
+
+
+def exact_fate(p: float, b: float, u: float) -> Fate:
+    """From b = canard + C p^beta and du/dp = -b/p, in closed form, on a fine grid."""
+    c = (b - canard(p)) / p**BETA
+    q = p * np.linspace(1, 0, 4001)[:-1]
+    b_there = canard(q) + c * q**BETA  # type: ignore[arg-type]
+
+    def integral(at: Any) -> Any:
+        return at / (1 - BETA) - 4 * at**2 / (2 - BETA) + c * at**BETA / BETA
+
+    u_there = u + integral(p) - integral(q)
+    opens, sticks = (np.flatnonzero(event) for event in (b_there >= 0, u_there <= 0))
+    first_open, first_stick = (found[0] if len(found) else len(q) for found in (opens, sticks))
+    if first_open < first_stick:
+        return Fate.LIFT_OFF
+    if first_stick < first_open:
+        return Fate.STICK
+    return Fate.ABOVE if c > 0 else Fate.BELOW
+
+
+def inside(piece: FatePiece, chance: random.Random) -> list[float]:
+    return [chance.uniform(float(low.p) / float(low.q), float(high.p) / float(high.q))
+            for low, high in zip(piece.lower, piece.upper, strict=True)]  # fmt: skip
+
+
+def compared(result: Fates, p: float | None, u: float) -> Counter[Fate]:
+    """The fates of the pieces, each compared with exact ones of random states in it."""
+    chance, seen = random.Random(29), Counter[Fate]()
+    for piece in result.pieces:
+        seen[piece.fate] += 1
+        allowed = {Fate.BELOW, Fate.ABOVE} if piece.fate is Fate.SPOT else {piece.fate}
+        for _ in range(6):
+            values = inside(piece, chance)
+            place = (p, values[0]) if p is not None else (values[0], values[1])
+            assert piece.fate is Fate.UNDECIDED or exact_fate(*place, u) in allowed, piece
+    return seen
+
+
+def test_cells_of_a_line_against_the_exact_solution() -> None:
+    seen = compared(line_of_the_family(), 0.5, 9 / 4)
+    assert {Fate.ABOVE, Fate.STICK, Fate.LIFT_OFF} <= set(seen), seen
+    assert seen[Fate.UNDECIDED] < sum(seen.values()) * 0.6
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("u", "expected"), [("50", {Fate.BELOW, Fate.ABOVE, Fate.LIFT_OFF}), ("9/4", {Fate.STICK})])
+def test_cells_of_a_map_against_the_exact_solution(u: str, expected: set[Fate]) -> None:
+    result = fates(family(), {"x": 0, "u": u}, {"p": "3/8..1/2:16", "b": "-7..-1/16:40"})
+    seen = compared(result, None, float(Fraction(u)))
+    assert expected <= set(seen), seen
+
+
+def test_no_cell_on_the_canard_has_a_sign() -> None:
+    """C_1 = 0 on the distinguished trajectory: whatever cell holds a state of it, its sign is not certain."""
+    assert line_of_the_family().at(b=fmpq(-5, 6) - 5).fate in (Fate.SPOT, Fate.UNDECIDED, Fate.STICK)
+
+
+@pytest.mark.slow
+def test_no_cell_of_a_map_on_the_canard_has_a_sign() -> None:
+    result = fates(family(), {"x": 0, "u": 50}, {"p": "1/8..1/4:4", "b": "-2..-1/4:14"})
+    for k in range(40):
+        p = fmpq(1, 8) + fmpq(k, 320)
+        b = -5 * p / 3 - 20 * p * p
+        assert result.at(p=p, b=b).fate in (Fate.SPOT, Fate.UNDECIDED)
+    assert {Fate.BELOW, Fate.ABOVE} <= {piece.fate for piece in result.pieces}
+
+
+def test_what_is_no_start() -> None:
+    result = fates(family(), {"x": 0, "u": 2, "b": "1/4"}, {"p": (fmpq(-1, 2), fmpq(1, 2), 4)})
+    assert [piece.fate for piece in result.pieces if piece.fate is not Fate.UNDECIDED] == [Fate.PAINLEVE, Fate.OPENS]
+    result = fates(family(), {"x": 0, "u": -2, "b": 1}, {"p": "1/4..1/2:2"})
+    assert {piece.fate for piece in result.pieces} == {Fate.NO_SLIP}
+    assert result.verdict.outcome is Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("state", "over", "error", "text"),
+    [
+        ({"x": 0, "u": 3}, {"q": "1..2"}, StateError, "'q' is no component"),
+        ({"x": 0, "u": 3, "p": 1}, {"p": "1..2"}, StateError, "is given and varies"),
+        ({"x": 0}, {"p": "1/4..1/2"}, StateError, "leave out two components"),
+        ({"x": 0, "u": 3, "p": 0.5}, {"b": "-2..-1"}, MechanismError, "p"),
+        ({"x": 0, "u": 3, "p": "1/2"}, {"b": "-1..-2"}, ValueError, "reversed"),
+        ({"x": 0}, {"u": "1..2", "p": "1/4..1/2", "b": "-2..-1"}, ValueError, "one or two"),
+        ({"x": 0, "u": 3, "p": "1/2"}, {"b": "-2..-1:0"}, ValueError, "at least|>= 1"),
+    ],
+)
+def test_bad_input(state: Any, over: Any, error: type[Exception], text: str) -> None:
+    with pytest.raises(error, match=text):
+        fates(family(), state, over)
+
+
+def test_a_flow_that_is_not_planar_is_refused() -> None:
+    with pytest.raises(MechanismError, match="two components"):
+        fates(shipped_mechanism("frictional impact oscillator"), {"phi": 0}, {"phi_dot": "-1..-1/2"})
+
+
+def test_a_journal_goes_on_and_a_forged_one_changes_nothing(tmp_path: Path) -> None:
+    path, over = tmp_path / "journal", {"p": "-1..1:41"}
+    state: dict[str, Any] = {"x": 0, "u": 50, "b": 1}
+    whole = fates(family(), state, over, journal=path, budget=3)
+    lines = path.read_text().splitlines()
+    path.write_text("\n".join(lines[:2]) + "\n" + lines[2][:5])  # killed within a line
+    assert fates(family(), state, over, journal=path, budget=3).pieces == whole.pieces
+    assert path.read_text().splitlines() == lines
+    number, _, choices = json.loads(lines[1])
+    forged = json.dumps([number, "0" * 64, "1" * len(choices)])
+    path.write_text("\n".join([lines[0], forged, *lines[2:]]) + "\n")
+    assert fates(family(), state, over, journal=path, budget=3).pieces == whole.pieces
+    path.write_text("\n".join([lines[0], "[0, 1]"]) + "\n")
+    with pytest.raises(ValueError, match="a line of the journal cannot be read"):
+        fates(family(), state, over, journal=path)
+    with pytest.raises(ValueError, match="not a journal of this question"):
+        fates(family(), {**state, "u": 51}, over, journal=path)
+
+
+def test_text_json_and_csv() -> None:
+    result = line_of_the_family()
+    assert sum(result.shares.values()) == 1
+    assert "stick before any G-spot" in str(result)
+    rows = result.to_csv().splitlines()
+    assert len(rows) == len(result.pieces) + 1
+    assert rows[0].startswith("b_lower,b_lower_exact,")
+    summary, pieces = result.in_parts()
+    assert {**summary, "pieces": list(pieces)} == result.to_json()
+    with pytest.raises(ValueError, match="a rational in"):
+        result.at(b=1)
+
+
+def test_a_budget_divides_open_cells_further() -> None:
+    state, over = {"x": 0, "u": 50, "b": 1}, {"p": "-1..2:3"}
+    coarse, fine = (fates(family(), state, over, budget=budget) for budget in (0, 6))
+    assert len(fine.pieces) == len(coarse.pieces) + 6
+    left = [piece for piece in fine.pieces if piece.fate is Fate.UNDECIDED]
+    assert all(piece.upper[0] - piece.lower[0] <= fmpq(1, 4) for piece in left)
+
+
+def rod_run(th: float, rate: float, u: float) -> Fate | None:
+    """The rod with a wrist in s, dt = p ds, by hand from Newton's law; None where the sign of C_1 is too close."""
+
+    def parts(th: float, rate: float) -> tuple[float, float, float, float]:
+        lever = np.cos(th) - 1.5 * np.sin(th)
+        torque = -5 * (th - 0.9) - rate
+        return lever, torque, 1 + 3 * np.cos(th) * lever, -14.81 - 3 * np.cos(th) * torque + np.sin(th) * rate**2
+
+    def slope(_: float, state: Any) -> list[float]:
+        th, rate, _slip = state
+        lever, torque, p, b = parts(th, rate)
+        turn = p * 3 * torque + b * 3 * lever
+        return [p * rate, turn, 1.5 * b - np.sin(th) * turn - p * np.cos(th) * rate**2]
+
+    def opens(_: float, state: Any) -> float:
+        return parts(state[0], state[1])[3]
+
+    def sticks(_: float, state: Any) -> float:
+        return float(state[2])
+
+    def ends(_: float, state: Any) -> float:
+        return parts(state[0], state[1])[2] - 1e-7
+
+    for event in (opens, sticks, ends):
+        event.terminal = True  # type: ignore[attr-defined]
+    run = solve_ivp(slope, (0, 50), [th, rate, u], "DOP853", events=(opens, sticks, ends), rtol=1e-12, atol=1e-14)
+    if len(run.t_events[0]):
+        return Fate.LIFT_OFF
+    if len(run.t_events[1]):
+        return Fate.STICK
+    _, _, p, b = parts(run.y[0, -1], run.y[1, -1])
+    gap = 9.1375247793 - 72.260370218 * p + b / p  # the distinguished trajectory's force, minus -b/p
+    return None if abs(gap) < 1e-6 else Fate.ABOVE if gap > 0 else Fate.BELOW
+
+
+@pytest.mark.slow
+def test_cells_of_the_rod_against_float_runs() -> None:
+    """200 random states of the rod with a wrist, in certified cells, by scipy; X_dot is small, so that many stick."""
+    over = {"theta": "7/10..17/20:12", "theta_dot": "5/2..18/5:12"}
+    chance, seen = random.Random(4), Counter[Fate]()
+    result = fates(shipped_mechanism("rod_with_wrist"), {"X": 0, "X_dot": "7/2"}, over)
+    certain = [piece for piece in result.pieces if piece.fate in (Fate.BELOW, Fate.ABOVE, Fate.LIFT_OFF, Fate.STICK)]
+    for k in range(200):
+        piece = certain[k % len(certain)]
+        th, rate = inside(piece, chance)
+        found = rod_run(th, rate, 3.5 - np.sin(th) * rate)
+        assert found in (piece.fate, None), (piece, th, rate)
+        seen[piece.fate] += found is not None
+    assert sum(seen.values()) > 190
+    assert len(seen) >= 2
