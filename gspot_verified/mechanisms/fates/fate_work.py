@@ -33,7 +33,7 @@ _VERSION = 1  # of the journal's form, which its first line names
 
 
 @dataclass(frozen=True, slots=True)
-class Question:
+class FateQuestion:
     """What is swept: the mechanism, with a place at its G-spot; the components of the state that do not vary, as texts;
     the surface's velocity."""
 
@@ -82,7 +82,7 @@ def _prepared(
         return prepared(shifted, starts, axes, surface)
 
 
-class Answer(NamedTuple):
+class FateAnswer(NamedTuple):
     """What a block of cells gave: it pickles. ``choices`` is JSON: of each box in turn whether it was divided."""
 
     pieces: list[FatePiece]
@@ -90,7 +90,7 @@ class Answer(NamedTuple):
     choices: str
 
 
-def examine(question: Question, boxes: Sequence[StartBox], known: str = "") -> Answer:
+def examine(question: FateQuestion, boxes: Sequence[StartBox], known: str = "") -> FateAnswer:
     """The pieces of some boxes, each divided until it has one fate or is a cell or less. ``known``: which boxes were
     divided before, 1 or 0 in turn; those are not asked for their fate."""
     here, met, recalled = question.prepared(), list[str](), iter(known)
@@ -108,10 +108,10 @@ def examine(question: Question, boxes: Sequence[StartBox], known: str = "") -> A
 
     with working_bits(BITS):
         pieces = [piece for box in boxes for piece in parts(box)]
-    return Answer(pieces, digest(pieces), json.dumps("".join(met)))
+    return FateAnswer(pieces, digest(pieces), json.dumps("".join(met)))
 
 
-def proved_again(question: Question, boxes: Sequence[StartBox], line: str) -> Answer:
+def proved_again(question: FateQuestion, boxes: Sequence[StartBox], line: str) -> FateAnswer:
     """The examination along a journal's line; without it where other pieces come out than those of its digest."""
     _, expected, known = read_line(line)
     examined = examine(question, boxes, known)
@@ -124,7 +124,7 @@ def digest(pieces: Sequence[FatePiece]) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def open_journal(path: str | Path | None, question: Question) -> AbstractContextManager[JournalFile | None]:
+def open_journal(path: str | Path | None, question: FateQuestion) -> AbstractContextManager[JournalFile | None]:
     """The journal in the file, to be closed by ``with``; None where there is no file.
 
     :raises ValueError: the file belongs to another question or other sources, or another run uses it.

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.fates.fate_piece import OPEN, FatePiece, StartBox, blocks
-from gspot_verified.mechanisms.fates.fate_work import Question, examine, open_journal, proved_again, read_line
+from gspot_verified.mechanisms.fates.fate_work import FateQuestion, examine, open_journal, proved_again, read_line
 from gspot_verified.mechanisms.fates.fates_result import Fates
 from gspot_verified.mechanisms.fates.spot_sides import spot_sides
 from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational, require_mechanism
@@ -67,7 +67,7 @@ def fates(
         raise ValueError(f"budget must be an int >= 0, got {budget!r}")
     given = tuple((word, _text(word, value)) for word, value in state.items())
     velocity = exact_rational(surface_velocity, "surface_velocity")
-    question = Question(at_spot(mechanism, spot), given, Grid(axes), velocity)
+    question = FateQuestion(at_spot(mechanism, spot), given, Grid(axes), velocity)
     question.check()
     sides = spot_sides(question.mechanism)
     workers = executor or InProcessExecutor()
@@ -110,5 +110,5 @@ def _text(word: str, value: ExactInput) -> str:
     return value if isinstance(value, str) else str(exact_rational(value, word))
 
 
-def _halves(question: Question, piece: FatePiece) -> tuple[StartBox, StartBox]:
+def _halves(question: FateQuestion, piece: FatePiece) -> tuple[StartBox, StartBox]:
     return StartBox(piece.lower, piece.upper, (1,) * len(piece.lower)).halves(question.sides)
