@@ -28,6 +28,7 @@ from gspot_verified.expansion.true_solutions.side import UniformSide
 from gspot_verified.hard_cases.catalogue import Catalogue
 from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide
+from gspot_verified.mechanisms.fates.fates_result import Fates
 from gspot_verified.mechanisms.spots.classify import Classification
 from gspot_verified.mechanisms.spots.classify_all import AllClassified
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
@@ -181,7 +182,7 @@ RESULTS: dict[str, tuple[Any, ...]] = {
     "classify": (Classification, AllClassified),
     "expand": ((Trajectory, _AboutExpansion), (TimeSeries, _AboutExpansion)),
     "approach": (Approach,),
-    "sweep": (Sweep,),
+    "sweep": (Sweep, Fates),
     "verify": (_Ledger,),
     "report": (_Page, _Supplement, _Again, (_Page, MechanismReport)),
     "cost": (Benchmark, CostReport, ExpandCost, SignCost, Measurement),

@@ -19,6 +19,7 @@ from gspot_verified.numbers.evidence import every
 from gspot_verified.numbers.verdict import Evidence
 
 STEPS = 150  # validated steps of one orbit: a limit against endless work
+_FARTHER = 4  # times than the sign of C_1 asks for: so that what lies between two orbits is near the G-spot, too
 _FINE = 20  # bits: the times of a step are rounded outward to multiples of 2^-20
 
 
@@ -71,7 +72,7 @@ def reference(plane: PlanarFlow, along: int, side: TrajectorySide, start: Sequen
         shown.append(segment.step.evidence)
         states = segment.after.enclosure()
         end = p * (-segment.end_time).exp()
-        if not end < side.last:
+        if not end < side.last / _FARTHER:
             continue
         neighbourhood = capture(plane, [*states, arb(0)], None)
         found = None if neighbourhood is None else side.sign(segment.after, neighbourhood)

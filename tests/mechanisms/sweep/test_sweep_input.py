@@ -9,6 +9,7 @@ from flint import fmpq
 
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep as module
+from gspot_verified.mechanisms.sweep import sweep_grid
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 
@@ -26,7 +27,7 @@ AXIS = Axis("mu", fmpq(7, 5), fmpq(2), 10)
     ],
 )
 def test_the_ends_of_a_range(given: Any, ends: tuple[fmpq, fmpq, int | None]) -> None:
-    assert module._ends("mu", given) == ends
+    assert sweep_grid._ends("mu", given) == ends
 
 
 def test_the_cells_of_all_axes_together_are_bounded() -> None:
