@@ -59,7 +59,7 @@ def fates(
     >>> from gspot_verified import load
     >>> result = fates(load("model system"), {"x": 0, "u": 3, "p": "1/2"}, {"b": "-5/2..-3/2:2"})
     >>> [piece.fate.value for piece in result.pieces]
-    ["spot, C1 < 0"]
+    ['spot, C1 < 0']
     """
     require_mechanism(mechanism)
     axes = axes_of(over)
