@@ -16,7 +16,7 @@ from gspot_verified.paper.section_5.double_series import scaled_series
 SECTION = "Section 5, Theorem 1"
 ALGEBRA = Algebra(
     "alpha1 alpha3 delta epsilon s n k chi u0 u3 b0 b1 b2 b3 r0 r1 r2 w0 q0 q1 q2 q3 l0 l1 l2 y0 y1 y2 y3 v0 v1 z0 z1 "
-    "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a2n fn S m0"
+    "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a1n a2n fn S m0"
 )
 _SYMBOLS = ALGEBRA.symbols
 SCALING = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6}
@@ -34,6 +34,7 @@ PRINTED: dict[str, dict[str, str]] = {
         "specialZ": "delta*z1 + z0 + lam", "specialL": "lam - (z0 - y0)",
     },
     "5-orders": {
+        "P": "p1", "r_p": "a1n",
         "B": "b1 + alpha3*l0", "r_b": "a2n - S", "Y": "y1 - v0", "V": "v1 - b0 - alpha1*s*l0", "r_v": "S",
         "Z": "-z0 - l0", "r_z": "q1", "L": "l0 - z0 + y0", "p_0": "alpha1*s",
         "b left": "n - k", "b right": "k", "b first": "0*k", "b last": "n - 1",
@@ -122,6 +123,7 @@ def _orders() -> Entry:
         of_b = at_order_n("specialB", a2="a2n", a3="1+0*s", lam="alpha3*l0 + S")
         of_v = at_order_n("specialV", p="1+0*s", lam="alpha1*s*l0 + S")
         return [
+            parts["P"] - parts["r_p"] - at_order_n("specialPP", a1="a1n"),
             parts["B"] - parts["r_b"] - of_b,
             parts["V"] - parts["r_v"] - of_v,
             parts["Z"] - parts["r_z"] + of_z,
@@ -141,10 +143,10 @@ def _orders() -> Entry:
     return settled(
         SECTION,
         "5-orders",
-        "eqs. specialBn, specialYn, specialVn, specialZn, specialLn; line 1608",
+        "eqs. p_nprime, specialBn, specialYn, specialVn, specialZn, specialLn; line 1608",
         r"r_{b,n}={\alpha_2}_n-\sum_{k=0}^{n-1}{\alpha_3}_{n-k}\lambda_k,\ r_{v,n}=\sum_{k=0}^{n-1}p_{n-k}\lambda_k",
-        "The terms of order δ^n of specialB to specialL are specialBn, specialYn, specialVn, specialZn and specialLn, "
-        "for every n, and p_0 is α_1* s",
+        "The terms of order δ^n of specialPP to specialL are p_nprime, specialBn, specialYn, specialVn, specialZn and "
+        "specialLn, for every n, and p_0 is α_1* s",
         this.check("term by term; the sums have each pair of orders with the sum n once, for every n", pairs),
         this.check("term by term; the sums for geometric series x^i, y^j, with x^n and y^n as symbols", geometric),
         note="The term k = n of each product stands on the left: α_3* λ_n and p_0 λ_n = α_1* s λ_n. z_(-1) = 0 "

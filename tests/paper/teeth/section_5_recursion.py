@@ -34,7 +34,10 @@ TEETH: Teeth = {
         *(Bite("order", INNER, part, raised("delta")) for part in INNER),
     ),
     "5-orders": (
-        *(Bite("factor", ORDERS, part, scaled) for part in ("B", "r_b", "Y", "V", "r_v", "Z", "r_z", "L", "p_0")),
+        *(
+            Bite("factor", ORDERS, part, scaled)
+            for part in ("P", "r_p", "B", "r_b", "Y", "V", "r_v", "Z", "r_z", "L", "p_0")
+        ),
         *(Bite("hidden factor", ORDERS, part, unseen_at("n", _SMALL)) for part in ("r_b", "r_v", "b left", "v right")),
         *(Bite("hidden factor", ORDERS, part, unseen_at("k", (0, 1))) for part in ("b right", "v left")),
         Bite("hypothesis", INNER, "specialZ", replaced("delta*z1", "z1")),

@@ -46,6 +46,8 @@ def _section_5() -> list[Row]:
     orders, last = recursion["5-orders"], recursion["5-xinprime"]
     nth = CONSTANTS | {
         r"\lambda_n": "l0",
+        r"p_n^\prime": "p1",
+        r"{\alpha_1}_n": "a1n",
         r"{\alpha_2}_n": "a2n",
         "r_{b,n}(s)": "r0",
         "r_{b,n}": "r0",
@@ -67,6 +69,8 @@ def _section_5() -> list[Row]:
         "5-orders",
         recursion,
         nth,
+        ("P", 1603, 1606, 0, of_side(0)),
+        ("r_p", 1603, 1606, 0, of_side(1)),
         ("B", 1615, 1620, 0, of_side(0)),
         ("r_b", 1615, 1620, 0, of_side(1)),
         ("Y", 1626, 1628, 0, of_side(0)),
