@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from paper.sentences import CLASSES, DATA, IN_A_ROW, Sentence, marked, rows_of, sentences, text_of
 
-from gspot_verified.paper.claims import paper_claims
+from gspot_verified.paper.claims import PaperClaim, paper_claims
 
 PAPER = Path(__file__).resolve().parents[3] / "shared" / "paper.tex"
 KEPT = DATA.read_text(encoding="utf-8")
+PROPERTIES = {
+    "non-local": "non-local",
+    "confirms": "confirm",
+    "dominat": "dominat",
+    r"\bstable(?! manifold theory| eigen| direction)": "stab",
+}
+"""A property that a sentence claims, where it is no part of a name, and the word of it that a row says."""
 
 
 def found(text: str) -> list[tuple[int, int, str]]:
@@ -99,6 +109,29 @@ def test_every_sentence_is_in_a_row_or_makes_no_claim() -> None:
     assert [sentence for sentence in claiming if not rows_of(sentence, claims)] == []
     held = {claim for sentence in claiming for claim in rows_of(sentence, claims)}
     assert [claim for claim in claims if claim not in held] == []
+
+
+def unsaid_properties(lines: Sequence[str], claims: Sequence[PaperClaim]) -> list[tuple[int, str]]:
+    """The claiming sentences with a property that no row of theirs names."""
+    found = []
+    for sentence in (sentence for sentence, mark in marked(KEPT) if mark == IN_A_ROW):
+        printed = " ".join(lines[sentence.first - 1 : sentence.last])
+        said = " ".join(f"{claim.words} {claim.why}" for claim in rows_of(sentence, claims))
+        found += [
+            (sentence.first, word)
+            for pattern, word in PROPERTIES.items()
+            if re.search(pattern, printed) and word not in said
+        ]
+    return found
+
+
+def test_a_property_that_a_sentence_claims_is_named_by_its_row() -> None:
+    if not PAPER.is_file():
+        pytest.skip("the paper's source is not at hand")
+    lines, claims = PAPER.read_text(encoding="utf-8").splitlines(), paper_claims()
+    assert unsaid_properties(lines, claims) == []
+    silent = [replace(claim, words="its roots") if claim.first == 1163 else claim for claim in claims]
+    assert (1166, "stab") in unsaid_properties(lines, silent)
 
 
 def test_a_sentence_without_a_row_is_seen() -> None:
