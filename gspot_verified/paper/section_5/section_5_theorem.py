@@ -185,8 +185,8 @@ def _existence() -> Entry:
         "5-theorem-1",
         "th:1",
         r"\exists!\ \xi_n,p_n,b_n,y_n,v_n,z_n,\lambda_n\text{ polynomials in }s",
-        "For α_1*, α_3* < 0, β not an integer and a regular Jacobian of (P, B, Y, V, J) at ξ* the equations and "
-        "conditions have exactly one expansion in polynomials of s",
+        "For functions of ξ that are smooth near ξ*, α_1*, α_3* < 0, β not an integer and a regular Jacobian of "
+        "(P, B, Y, V, J) at ξ* the equations and conditions have exactly one expansion in polynomials of s",
         Page("expansion", (dependence, is_triangular)).carries(
             Check(
                 Rung.EXACT,
@@ -210,7 +210,9 @@ def _existence() -> Entry:
             all_of((explicit.equations_hold(r) and explicit.synchronised(r)) or None for r in found),
         ),
         note="Unique among polynomials: the paper's argument is that th:3 leaves no other smooth solution. For an "
-        "integer β > 0 the polynomial Θ(κ s, β) can be added to b_n where its degree occurs.",
+        "integer β > 0 the polynomial Θ(κ s, β) can be added to b_n where its degree occurs. Of the signs it is used "
+        "that α_1* and α_3* are not 0. The paper says of x and y (lines 434, 447) that they are smooth, and "
+        "of f in Lemma 2.",
     )
 
 
