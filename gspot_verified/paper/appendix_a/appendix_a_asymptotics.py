@@ -28,6 +28,8 @@ from gspot_verified.paper.checks.identities import in_greek
 SECTION = "Appendix A"
 EXCEPTIONS: dict[str, str] = {"0": "3*m", "1": "1+3*m", "2": "2+3*m"}
 """The β = j + 3m, m = 0, 1, 2, ..., at which formula j + 1 of th:5 fails."""
+CITED = "which is cited and not proved here"
+"""What stands beside a theorem of another work."""
 TRIED = 3
 """How many m, and how many times three integers β, are tried in balls."""
 SMALL_NAMES = ("bsmall1", "bsmall2", "bsmall3")
@@ -49,7 +51,7 @@ def every_coefficient(series: str) -> Check:
     return EVERY_K.carries(
         claim.check(
             f"the c_k of the series: for k < {COEFFICIENTS} by calculation, for every k since the equation determines "
-            "c_k from those before it, with a factor 3k",
+            "c_k from those before it, with a factor 3k, where DLMF 16.11.8 holds",
             lambda forms: [
                 closed_form(put(printed.SERIES[series], k="k+1")) / forms[series] / closed_form(STEPS[series])
             ],
@@ -66,7 +68,8 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
         f"A-{SMALL_NAMES[j]}",
         f"th:4, eq:{SMALL_NAMES[j]}",
         _SMALL_SOURCE[j],
-        f"The asymptotic form of eq. {SMALL_NAMES[j]} holds as τ → −∞ for every β that is not an integer",
+        f"By DLMF 16.11.8, {CITED}, the asymptotic form of eq. {SMALL_NAMES[j]} holds as τ → −∞ for every β that is "
+        "not an integer",
         CONNECTION.carries(
             claim.check(
                 "DLMF 16.11.8 with the parameters of th:3 put in, as closed forms in β, k and x",
@@ -238,7 +241,8 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
         "A-tlarge",
         "eq:tlarge",
         r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
-        "Both asymptotic forms hold as τ → +∞ for every β that is not 0, 1, 2, ...",
+        "Both asymptotic forms hold as τ → +∞ for every β that is not 0, 1, 2, ..., where the c_k with k >= "
+        f"{COEFFICIENTS} are those of the equation by DLMF 16.11.8, {CITED}",
         POSITIVE.carries(
             claim.check(
                 "(explicit remainder): each term, as a closed form in β, k and τ",
