@@ -1,4 +1,4 @@
-"""The command ``sweep --from``: output, files, exit codes."""
+"""The command ``sweep --from``: output, files, exit codes (proofs/fates.md)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fates of whole cells against exact solutions, float runs and forged journals."""
+"""Fates of whole cells against exact solutions, float runs and forged journals (proofs/fates.md)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Orbits, strips and boxes of starts one by one, with the exact solution beside them."""
+"""Orbits, strips and boxes of starts one by one, with the exact solution beside them (proofs/fates.md)."""
 
 from __future__ import annotations
 
