@@ -144,11 +144,11 @@ def simulators(
         judge.check_start(name, table)
     runs = [judge.run(*case) for case in judge.simulations(epsilons, steps)]
     others = installed(programs) if steps else Installed((), ())
-    model, notes = None, list(others.missing)
-    if others.found:
-        model, why = judge.model()
-        notes += [f"{each.name}: {each.differs if model is not None else f'not run: {why}'}" for each in others.found]
-    if model is not None:
+    model, why = judge.model() if others != Installed((), ()) else (None, "")
+    notes = [*others.missing, *(f"{each.name}: {each.differs}" for each in others.found)]
+    if model is None:  # to install a program would not help
+        notes = [f"{name}: not run: {why}" for name in programs] if why else []
+    else:
         runs += [judge.run(*case) for each in others.found for case in judge.steps_of(each, model, steps)]
     runs += [judge.judged(name, "", table) for name, table in tables]
     return SimulatorComparison(certified, tuple(runs), tuple(notes))

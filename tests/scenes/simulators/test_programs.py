@@ -143,6 +143,8 @@ def test_what_is_not_installed_or_cannot_be_told_is_said(monkeypatch: pytest.Mon
         f"{name} is not installed, so it was not run: pip install {name.lower()}" for name in ("MuJoCo", "Drake")
     )
     assert [run.simulator for run in found.runs] == ["Moreau-Jean"] * 2
+    moved = simulators(load("oscillator"), BELT, surface_velocity=-4, epsilons=[], steps=[1e-1])
+    assert moved.notes == ("MuJoCo: not run: the surface moves", "Drake: not run: the surface moves")
     mujoco(monkeypatch)
     drake(monkeypatch)
     moved = simulators(load("oscillator"), BELT, surface_velocity=-4, epsilons=[], steps=[1e-1])
