@@ -156,7 +156,7 @@ def state_formula(mechanism: Mechanism, word: str, value: ExactInput) -> Express
                 raise
         return parse_formula(value, {name: Symbol(name) for name in words})
     except (TypeError, ValueError, ZeroDivisionError) as error:
-        raise StateError(f"{mechanism.name}: {word}: {error}") from None
+        raise StateError(f"{mechanism.name}: {word}: {str(error).removeprefix(f'{word}: ')}") from None
 
 
 def _solved(mechanism: Mechanism, program: BoxProgram, box: list[arb], missing: Sequence[str]) -> tuple[arb, ...]:

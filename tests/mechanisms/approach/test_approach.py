@@ -435,7 +435,7 @@ def test_the_oscillator_needs_a_moving_surface() -> None:
         ({"x": 0, "u": 1, "p": "1/2", "b": -1, "y": "1/10", "v": 0}, r"not on the contact: y = \[0.1"),
         ({"x": 0, "u": 1, "p": "1/2", "b": -1, "y": 0, "v": "1e-50"}, "not on the contact: v = "),
         ({"x": 0, "u": 1, "y": 0, "v": 0}, "do not certainly determine p and b"),
-        ({"x": 0, "u": 1, "p": 0.5, "b": -1}, "a float is not taken as exact"),
+        ({"x": 0, "u": 1, "p": 0.5, "b": -1}, "[^p]: p: a float is not taken as exact"),
         ({"x": 0, "u": 1, "p": "1/0", "b": -1}, "p: "),
         ({"x": 0, "u": 1, "p": "b", "b": -1}, "p: unknown name 'b'"),
     ],
