@@ -38,6 +38,7 @@ _NOT_SHOWN = "the mass matrix was not shown to be positive definite everywhere i
 _NOT_DEFINITE = "the mass matrix is not certainly positive definite where B/C is largest"
 DEFAULT_BUDGET = 20_000  # how many boxes are looked at: a limit against endless work
 _MASS_BOXES = 2000  # boxes in which the mass matrix is looked at: a limit against endless work
+_SHORT_BITS = 10  # relative: below that six digits are none, for the search ended early
 _EXTRA_BITS = 40  # working bits beyond those asked for: any number is correct
 
 Place = tuple[tuple[str, str], ...]
@@ -109,6 +110,8 @@ class CriticalFriction(NoTruthValue, Written):
         if self.value is None or not self.value.is_finite():
             return str(self)
         text = f"critical friction mu_c = {table_text(self.value)}"
+        if self.value.rel_accuracy_bits() < _SHORT_BITS:
+            text += " (found roughly; critical_friction takes longer and may say more)"
         if self.is_below and self.friction is not None:
             text += f"; mu = {table_text(self.friction)} lies below it: p > 0 {_EVERYWHERE}"
         return text + self._conditions()

@@ -186,6 +186,12 @@ def bent(x: str, y: str, inertia: int = 1) -> Mechanism:
     )
 
 
+def test_a_rough_value_names_the_function_that_searches_longer() -> None:
+    rough, sharp = (CriticalFriction("a", arb(0.7, radius), (), None) for radius in (0.4, 1e-9))
+    assert rough.in_short().endswith(" (found roughly; critical_friction takes longer and may say more)")
+    assert sharp.in_short() == "critical friction mu_c = 0.700000"
+
+
 def test_only_the_largest_of_several_maxima_is_named() -> None:
     """x = cos, y = sin + sin(2 theta): B/C has maxima of different height, which the search proves."""
     found = critical_friction(bent("cos(theta)", "sin(theta) + sin(2*theta)"))
