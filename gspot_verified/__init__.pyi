@@ -39,6 +39,8 @@ from gspot_verified.mechanisms.approach.approach_result import Approach as Appro
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide as MechanismSide
 from gspot_verified.mechanisms.approach.mechanism_side import mechanism_side as mechanism_side
 from gspot_verified.mechanisms.expand import expand as expand
+from gspot_verified.mechanisms.fates.fates import fates as fates
+from gspot_verified.mechanisms.fates.fates_result import Fates as Fates
 from gspot_verified.mechanisms.foreign.from_mjcf import from_mjcf as from_mjcf
 from gspot_verified.mechanisms.foreign.from_sympy import from_sympy as from_sympy
 from gspot_verified.mechanisms.foreign.from_urdf import from_urdf as from_urdf

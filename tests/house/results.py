@@ -123,6 +123,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "SlowZerosCertificate": lambda: g.slow_zeros_certificate("9/2..37/8", 10),
     "ClassifiedRow": lambda: next(g.classify_table(g.load("genot_brogliato_rod"), [{"mu": "8/5"}])),
     "Sweep": lambda: g.sweep(g.load("oscillator"), {"beta": "9/4..11/4:4"}),
+    "Fates": lambda: g.fates(g.load("model system"), {"x": 0, "u": 3, "p": "1/2"}, {"b": "-5/2..-3/2:2"}),
     "Trajectory": trajectory,
     "UniformBound": lambda: g.uniform_bound(g.expand(extended_example(chi=1), 6), -3, 2, "1/20"),
     "UniformSide": lambda: g.uniform_side(trajectory(), -1, "1/50"),
