@@ -39,6 +39,7 @@ EPSILONS = ("1e-3", "1e-4")
 STEPS = (1e-3, 1e-4)  # of the time until the event that is certified
 _LATER = 3.0  # times the certified time: so long the simulators run
 _LEAST_EPSILON = fmpq(1, 10**6)  # a limit of input
+_LEAST_STEP = 1e-6  # likewise
 _EARLY = 0.95  # of the certified time: an event before it is not the one that is certified
 _LATE = 1.05  # the same for events of rigid slip, which come at their time, not after it
 _SAME = 1e-3  # of the certified time, and of 1 + |value|: nearer to the certified start a table begins in it
@@ -109,7 +110,7 @@ def simulators(
     surface_velocity: ExactInput | None = None,
     spot: int | None = None,
     epsilons: Sequence[ExactInput] = EPSILONS,
-    steps: Sequence[float] = STEPS,
+    steps: Sequence[ExactInput | float] = STEPS,
     programs: Sequence[str] = PROGRAMS,
 ) -> SimulatorComparison:
     """What is certified to follow a state in slip (:func:`approach`), beside simulators and tables that you bring.
@@ -126,7 +127,7 @@ def simulators(
 
     :raises StateError: the state is not one from which slip can be followed.
     :raises MechanismError: a mechanism without velocities or with parameters that have no value.
-    :raises ValueError: an epsilon that is no rational number in 1e-6..1, or no name of a program.
+    :raises ValueError: an epsilon or a step that is no number in 1e-6..1, or no name of a program.
     :raises SceneError: a table that cannot be read, or that begins at another time or in another state; nothing is
         certified of the state, or u < 0 and no velocity of the surface is given.
 
@@ -138,18 +139,19 @@ def simulators(
     """
     functions = contact_floats(mechanism)
     tables = [(str(file), read_motion(file, functions)) for file in files]
+    lengths = [_step(step) for step in steps]
     certified = approach(mechanism, state, surface_velocity=surface_velocity, spot=spot)
     judge = _Judge(mechanism, functions, certified, surface_velocity)
     for name, table in tables:
         judge.check_start(name, table)
-    runs = [judge.run(*case) for case in judge.simulations(epsilons, steps)]
-    others = installed(programs) if steps else Installed((), ())
+    runs = [judge.run(*case) for case in judge.simulations(epsilons, lengths)]
+    others = installed(programs) if lengths else Installed((), ())
     model, why = judge.model() if others != Installed((), ()) else (None, "")
     notes = [*others.missing, *(f"{each.name}: {each.differs}" for each in others.found)]
     if model is None:  # to install a program would not help
         notes = [f"{name}: not run: {why}" for name in programs] if why else []
     else:
-        runs += [judge.run(*case) for each in others.found for case in judge.steps_of(each, model, steps)]
+        runs += [judge.run(*case) for each in others.found for case in judge.steps_of(each, model, lengths)]
     runs += [judge.judged(name, "", table) for name, table in tables]
     return SimulatorComparison(certified, tuple(runs), tuple(notes))
 
@@ -160,6 +162,16 @@ def _epsilon(value: ExactInput) -> float:
     if not _LEAST_EPSILON <= number <= 1:
         raise ValueError(f"epsilon of a simulator in floats: expected a number in 1e-6..1, got {number}")
     return approximate(number)
+
+
+def _step(value: ExactInput | float) -> float:
+    """A part of the certified time: of 0 a simulation would have no end."""
+    number = value if isinstance(value, float) else approximate(rational(value, "step"))
+    if not _LEAST_STEP <= number <= 1:
+        raise ValueError(
+            f"step of a simulator, a part of the certified time: expected a number in 1e-6..1, got {value}"
+        )
+    return number
 
 
 class _Judge:

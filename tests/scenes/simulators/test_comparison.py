@@ -79,6 +79,9 @@ def test_a_table_that_leaves_early_is_told(tmp_path: Path) -> None:
 
 
 def test_what_cannot_be_compared_is_said() -> None:
+    for step in (0, -1e-3, 2, "1/10000000", float("nan"), float("inf")):
+        with pytest.raises(ValueError, match=r"step of a simulator.*1e-6\.\.1"):
+            simulators(ROD, START, epsilons=[], steps=[step])
     for epsilon in (0, -1, 2, "1/10000000"):
         with pytest.raises(ValueError, match="expected a number in"):
             simulators(ROD, START, epsilons=[epsilon], steps=[])
