@@ -131,11 +131,23 @@ def _slice(plane: PlanarFlow, below: Reference, above: Reference, lower: arb, up
 
 
 def region_of(plane: PlanarFlow, along: int, strips: Sequence[Strip]) -> tuple[tuple[arb, ...], Evidence] | None:
-    """A box around all strips on which p and the place are coordinates, with what shows it."""
+    """A box around all strips on which p and the place are coordinates, with what shows it: that orbits which bound
+    slices lie in it where these begin, too."""
     boxes = [part.box for each in strips for part in each.slices]
     if not strips[0].slices:
         return None
     sides = [hull(own) for own in zip(*boxes, strict=True)]
     region = [add_remainder(side, side.rad() / 8) for side in sides]
     regular = signed(plane.p_and_b.gradients(region)[1][0][1 - along])
-    return None if regular is None or regular[0] == 0 else (tuple(region), regular[1])
+    if regular is None or regular[0] == 0:
+        return None
+    # An orbit may have p and the place of a point of the region elsewhere: then it bounds nothing here.
+    begun = [
+        inside(own, side)
+        for each in strips
+        for part in each.slices[:1]
+        for orbit in (each.below, each.above)
+        for own, side in zip(orbit.states(part.upper), region, strict=True)
+    ]
+    shown = every([regular[1], *begun])
+    return None if shown is None else (tuple(region), shown)

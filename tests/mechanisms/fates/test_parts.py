@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import fields, replace
 from functools import cache
 
 import pytest
@@ -16,7 +17,7 @@ from gspot_verified.mechanisms.fates.planar_flow import PlanarFlow
 from gspot_verified.mechanisms.fates.prepared import _side
 from gspot_verified.mechanisms.fates.reference import Reference, reference
 from gspot_verified.mechanisms.fates.starts import Starts
-from gspot_verified.mechanisms.fates.strip import strip
+from gspot_verified.mechanisms.fates.strip import region_of, strip
 from gspot_verified.mechanisms.fates.trajectory_side import TrajectorySide
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.g_spot import place_in, prove_near
@@ -90,6 +91,25 @@ def test_a_strip_holds_the_orbits_between() -> None:
                 assert part.drop.contains(fall)
             assert part.presses is not None
             assert part.opens is None
+
+
+class OnAnotherSheet(Reference):
+    """An orbit with the same p and places, at other points of the plane: p is no coordinate there together with it."""
+
+    def states(self, p: arb) -> list[arb]:
+        first, place = super().states(p)
+        return [first + 3, place]
+
+
+@pytest.mark.parametrize("which", ["below", "above"])
+def test_orbits_that_do_not_lie_in_the_region_bound_nothing(which: str) -> None:
+    plane, side = model()
+    orbits = {"below": orbit("-1.25"), "above": orbit("-0.875")}
+    with working_bits(BITS):
+        found = strip(plane, orbits["below"], orbits["above"], side, [arb(0.49 * 0.75**k) for k in range(4)])
+        assert region_of(plane, 1, [found]) is not None
+        own = {each.name: getattr(orbits[which], each.name) for each in fields(Reference)}
+        assert region_of(plane, 1, [replace(found, **{which: OnAnotherSheet(**own)})]) is None
 
 
 def test_starts_on_the_contact() -> None:
