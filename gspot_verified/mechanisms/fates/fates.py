@@ -43,11 +43,11 @@ def fates(
 
     ``state`` gives the components that do not vary, but for two that y = 0 and v = 0 determine. ``over``: one or two
     components to "lower..upper", "lower..upper:cells" or (lower, upper, cells); the ends belong to the range.
-    ``surface_velocity``: stick is u = surface_velocity. ``spot``: which of all G-spots the sides are about, by its
+    ``surface_velocity``: slip stops at u = surface_velocity. ``spot``: which of all G-spots the sides are about, by its
     number (left out: that at the mechanism's place).
 
     Proved of each piece, for every state in it: slip reaches a G-spot, with C_1 < 0 or C_1 > 0 or a sign that is open;
-    or it lifts off, or sticks, first; or there is no positive slip in contact to begin with. The rest is undecided.
+    or it lifts off, or slip stops, first; or there is no positive slip in contact to begin with. The rest is undecided.
     Blocks of cells are divided until they have one fate or are cells; ``budget`` open cells (and parts) are divided
     again. ``journal``, ``executor``, ``progress``: as for :func:`sweep`.
 

@@ -24,7 +24,7 @@ _WORDS = {
     Fate.ABOVE: "the G-spot is reached with C1 > 0",
     Fate.SPOT: "a G-spot is reached, the sign of C1 is open",
     Fate.LIFT_OFF: "lift-off before any G-spot",
-    Fate.STICK: "stick before any G-spot",
+    Fate.STICK: "slip stops before any G-spot (then stick, or slip the other way)",
     Fate.OPENS: "no slip in contact: p > 0 and b > 0, the contact opens at once",
     Fate.PAINLEVE: "no slip in contact: p < 0 (Painlevé's paradox)",
     Fate.NO_SLIP: "no positive slip at the start",
@@ -102,7 +102,7 @@ class Fates(NoTruthValue, Written):
 
     def __str__(self) -> str:
         state = ", ".join(f"{word} = {value}" for word, value in self.state)
-        lines = [str(self.verdict), f"  from {state}; stick is u = {self.surface_velocity}"]
+        lines = [str(self.verdict), f"  from {state}; slip stops at u = {self.surface_velocity}"]
         lines.append(f"  the G-spot: Case {self.sides.case}, beta = {ball_text(self.sides.beta, 8)}")
         for fate in Fate:
             share = self.shares.get(fate.value)

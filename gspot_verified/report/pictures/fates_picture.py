@@ -42,7 +42,7 @@ _LABELS = {
     Fate.ABOVE: "G-spot, C₁ > 0",
     Fate.SPOT: "G-spot, sign of C₁ open",
     Fate.LIFT_OFF: "lift-off before",
-    Fate.STICK: "stick before",
+    Fate.STICK: "slip stops before",
     Fate.OPENS: "b > 0: opens at once",
     Fate.PAINLEVE: "p < 0: no slip in contact",
     Fate.NO_SLIP: "no positive slip",

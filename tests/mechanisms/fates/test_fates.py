@@ -185,7 +185,8 @@ def test_a_journal_goes_on_and_a_forged_one_changes_nothing(tmp_path: Path) -> N
 def test_text_json_and_csv() -> None:
     result = line_of_the_family()
     assert sum(result.shares.values()) == 1
-    assert "stick before any G-spot" in str(result)
+    # Friction may be too weak to hold what stops: then slip goes on the other way, and that is not asked.
+    assert "slip stops before any G-spot (then stick, or slip the other way)" in str(result)
     rows = result.to_csv().splitlines()
     assert len(rows) == len(result.pieces) + 1
     assert rows[0].startswith("b_lower,b_lower_exact,")
