@@ -72,8 +72,8 @@ def sweep(
 
     All is certain for every value of the range, not only at points. With --from "NAME=VALUE,..." --over gives one or
     two components of the state, and two are left out that y = v = 0 determine: which states reach the G-spot, with
-    which sign of C1, lift off, or stick. Else where Case or side change is bracketed. What stays undecided in a cell
-    is divided again without being asked, up to --budget pieces. Exit code 0 when all the rest is settled, 2 when
+    which sign of C1, lift off, or stop to slip. Else where Case or side change is bracketed. What stays undecided in a
+    cell is divided again without being asked, up to --budget pieces. Exit code 0 when all the rest is settled, 2 when
     something is undecided.
     """
     from gspot_verified.mechanisms.load import load

@@ -123,8 +123,9 @@ def _cell(state: Deviation, values: Sequence[arb], first: fmpq, width: fmpq, rat
 
 
 def _rest(rows: Sequence[Sequence[arb]], weights: Sequence[fmpq], ratio: fmpq) -> arb:
-    """2 m theta/(1 - theta), with m the larger one of the last two terms (section 2); hypothesis: theta < 1."""
-    if not ratio < 1:
+    """2 m theta/(1 - theta), with m the larger one of the last two terms (section 2); hypotheses: the time does not
+    run backwards, theta < 1."""
+    if not 0 <= ratio < 1:
         return nonfinite()
     largest = arb(0)
     for row in rows[-2:]:

@@ -154,7 +154,7 @@ def _by_force_range(motion: ContactMotion, start: fmpq, text: str, digits: int, 
         return None
     unit = _unit(motion)
     for margin in _MARGINS:
-        before, after = rough - margin * unit, rough + margin * unit
+        before, after = max(rough - margin * unit, state.time), rough + margin * unit
         if before < 0 < after:
             continue
         falls, lasts = less(force.slope(before, after), 0), None

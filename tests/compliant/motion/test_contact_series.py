@@ -283,3 +283,7 @@ def test_the_rest_of_each_variable_has_its_weight() -> None:
         for short, long, rest in zip(few.variables, many.variables, few.rests, strict=True):
             assert 0 < rest < 10
             assert abs(long(arb(1)) - short(arb(1))) < rest
+
+
+def test_a_time_before_the_state_has_no_values() -> None:
+    assert not any(value.is_finite() for value in carried(STATE, fmpq(-1, 10), 60).values())

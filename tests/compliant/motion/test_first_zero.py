@@ -290,3 +290,14 @@ def test_the_first_zero_does_not_depend_on_the_units(beta: str, nu: str, p: str)
         before = two.start + (two.lower - two.start) * fmpq(99, 100)
         assert contact_lasts(model, scaled, before).outcome is Outcome.PROVED
         assert contact_lasts(model, scaled, two.upper).outcome is Outcome.UNDECIDED
+
+
+@pytest.mark.parametrize("speed", ["1/100", "1/50"])
+def test_a_start_shortly_before_the_lift_off(speed: str) -> None:
+    """The margin about the zero would reach back before the start."""
+    model, state = compliant_model("3/2", "1/1000"), compliant_state("1/100", -1, "-4e-6", speed, "-2e-6")
+    found = first_zero(model, state, digits=6)
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.lower is not None
+    assert found.upper is not None
+    assert state.p / model.alpha_1 < found.lower < found.upper < state.p / model.alpha_1 + model.epsilon * 2
