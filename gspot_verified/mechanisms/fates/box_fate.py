@@ -26,7 +26,7 @@ class Fate(enum.Enum):
     ABOVE = "spot, C1 > 0"
     SPOT = "spot, C1 open"
     LIFT_OFF = "lift-off"
-    STICK = "stick"
+    STOPS = "slip stops"
     OPENS = "opens at once"
     PAINLEVE = "p < 0"
     NO_SLIP = "no slip"
@@ -145,7 +145,7 @@ def _height(frame: Frame, orbit: Reference, box: Sequence[arb], p: arb) -> arb:
 def _in_strip(strip: Strip, p: arb, slip: arb) -> BoxFate:
     """The fate of the states between two orbits that have these p and slip velocities, with b < 0."""
     shown: list[Evidence | None] = [strip.below.evidence, strip.above.evidence]
-    may_open, may_stick = False, False
+    may_open, may_stop = False, False
     least, most = slip.lower(), slip.upper()
     for part in strip.slices:
         if part.lower >= p.upper():
@@ -155,20 +155,22 @@ def _in_strip(strip: Strip, p: arb, slip: arb) -> BoxFate:
         slides = less(0, least - drop.upper().max(arb(0)))
         least, most = least - drop.upper(), most - drop.lower()
         shown += [part.evidence, *(each for each in (slides, part.presses) if each is not None)]
-        may_stick, may_open = may_stick or slides is None, may_open or part.presses is None
-        if may_stick and may_open:
-            return _open("lift-off and stick: which comes first, or whether, is not certain")
+        may_stop, may_open = may_stop or slides is None, may_open or part.presses is None
+        if may_stop and may_open:
+            return _open("lift-off and the end of slip: which comes first, or whether, is not certain")
         stuck = less(most, 0)
         if stuck is not None and not may_open:
-            return BoxFate(Fate.STICK, every([*shown, stuck]))
+            return BoxFate(Fate.STOPS, every([*shown, stuck]))
         begun = less(part.lower, p)
-        if part.opens is not None and begun is not None and not may_stick:
+        if part.opens is not None and begun is not None and not may_stop:
             return BoxFate(Fate.LIFT_OFF, every([*shown, part.opens, begun]))
-    if may_stick or may_open:
-        return _open("it may stick" if may_stick else "it may lift off")
+    if may_stop or may_open:
+        return _open("slip may stop" if may_stop else "it may lift off")
     slides = less(strip.rest, least)
-    if strip.end is None or slides is None:
-        return _open("it may stick where p vanishes" if strip.end is not None else "the orbits are not followed so far")
+    if strip.end is None:
+        return _open("the orbits are not followed so far")
+    if slides is None:
+        return _open("slip may stop where p vanishes")
     fate = Fate.SPOT
     if strip.below.sign == strip.above.sign:
         fate = Fate.ABOVE if strip.above.sign > 0 else Fate.BELOW

@@ -24,7 +24,7 @@ _WORDS = {
     Fate.ABOVE: "the G-spot is reached with C1 > 0",
     Fate.SPOT: "a G-spot is reached, the sign of C1 is open",
     Fate.LIFT_OFF: "lift-off before any G-spot",
-    Fate.STICK: "slip stops before any G-spot (then stick, or slip the other way)",
+    Fate.STOPS: "slip stops before any G-spot (then stick, or slip the other way)",
     Fate.OPENS: "no slip in contact: p > 0 and b > 0, the contact opens at once",
     Fate.PAINLEVE: "no slip in contact: p < 0 (Painlevé's paradox)",
     Fate.NO_SLIP: "no positive slip at the start",
@@ -111,7 +111,7 @@ class Fates(NoTruthValue, Written):
         if self.sides.why:
             lines.append(f"  no side for small epsilon: {self.sides.why}")
         else:
-            lines.append("  sides rest on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed")
+            lines.append("  sides rest on proofs/papers_rule.md, Theorem R; epsilon_0, one a state, is not computed")
         return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
 
     def to_csv(self) -> str:

@@ -31,7 +31,7 @@ _COLOURS = {
     Fate.ABOVE: PURPLE,
     Fate.SPOT: INK,
     Fate.LIFT_OFF: BLUE,
-    Fate.STICK: GREEN,
+    Fate.STOPS: GREEN,
     Fate.OPENS: "#d9dcdf",
     Fate.PAINLEVE: "#8a8f94",
     Fate.NO_SLIP: PAPER,
@@ -42,7 +42,7 @@ _LABELS = {
     Fate.ABOVE: "G-spot, C₁ > 0",
     Fate.SPOT: "G-spot, sign of C₁ open",
     Fate.LIFT_OFF: "lift-off before",
-    Fate.STICK: "slip stops before",
+    Fate.STOPS: "slip stops before",
     Fate.OPENS: "b > 0: opens at once",
     Fate.PAINLEVE: "p < 0: no slip in contact",
     Fate.NO_SLIP: "no positive slip",
@@ -106,6 +106,8 @@ def caption(result: Fates) -> str:
     left = sum(piece.fate is Fate.UNDECIDED for piece in result.pieces)
     text = (
         f"{result.name}{f', from {state}' if state else ''}. Certified: on each of the {len(result.pieces)} pieces the "
-        "colour holds for every initial state"
+        f"colour holds for every initial state{f'; {left} are undecided' if left else ''}."
     )
-    return f"{text}; {left} are undecided." if left else f"{text}."
+    if result.sides.below is None:
+        return text
+    return f"{text} What follows the G-spot: for epsilon below some epsilon_0 > 0, one a state, not computed."

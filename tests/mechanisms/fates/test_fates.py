@@ -12,17 +12,25 @@ from typing import Any
 
 import numpy as np
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 from scipy.integrate import solve_ivp
 
+from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.approach.slip_state import StateError
+from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.fates.box_fate import Fate
 from gspot_verified.mechanisms.fates.fate_piece import FatePiece
 from gspot_verified.mechanisms.fates.fates import fates
 from gspot_verified.mechanisms.fates.fates_result import Fates
+from gspot_verified.mechanisms.fates.planar_flow import PlanarFlow
+from gspot_verified.mechanisms.fates.prepared import _side
+from gspot_verified.mechanisms.fates.reference import reference
+from gspot_verified.mechanisms.fates.strip import strip
 from gspot_verified.mechanisms.input.file import parse_mechanism
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spots.g_spot import place_in, prove_near
+from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 
 BETA = 8 / 5
@@ -82,7 +90,7 @@ def exact_fate(p: float, b: float, u: float) -> Fate:
     if first_open < first_stick:
         return Fate.LIFT_OFF
     if first_stick < first_open:
-        return Fate.STICK
+        return Fate.STOPS
     return Fate.ABOVE if c > 0 else Fate.BELOW
 
 
@@ -106,12 +114,12 @@ def compared(result: Fates, p: float | None, u: float) -> Counter[Fate]:
 
 def test_cells_of_a_line_against_the_exact_solution() -> None:
     seen = compared(line_of_the_family(), 0.5, 9 / 4)
-    assert {Fate.ABOVE, Fate.STICK, Fate.LIFT_OFF} <= set(seen), seen
+    assert {Fate.ABOVE, Fate.STOPS, Fate.LIFT_OFF} <= set(seen), seen
     assert line_of_the_family().shares[Fate.UNDECIDED.value] < fmpq(1, 2)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("u", "expected"), [("50", {Fate.BELOW, Fate.ABOVE, Fate.LIFT_OFF}), ("9/4", {Fate.STICK})])
+@pytest.mark.parametrize(("u", "expected"), [("50", {Fate.BELOW, Fate.ABOVE, Fate.LIFT_OFF}), ("9/4", {Fate.STOPS})])
 def test_cells_of_a_map_against_the_exact_solution(u: str, expected: set[Fate]) -> None:
     result = fates(family(), {"x": 0, "u": u}, {"p": "3/8..1/2:16", "b": "-7..-1/16:40"})
     seen = compared(result, None, float(Fraction(u)))
@@ -120,7 +128,7 @@ def test_cells_of_a_map_against_the_exact_solution(u: str, expected: set[Fate]) 
 
 def test_no_cell_on_the_canard_has_a_sign() -> None:
     """C_1 = 0 on the distinguished trajectory: whatever cell holds a state of it, its sign is not certain."""
-    assert line_of_the_family().at(b=fmpq(-5, 6) - 5).fate in (Fate.SPOT, Fate.UNDECIDED, Fate.STICK)
+    assert line_of_the_family().at(b=fmpq(-5, 6) - 5).fate in (Fate.SPOT, Fate.UNDECIDED, Fate.STOPS)
 
 
 @pytest.mark.slow
@@ -233,7 +241,7 @@ def rod_run(th: float, rate: float, u: float) -> Fate | None:
     if len(run.t_events[0]):
         return Fate.LIFT_OFF
     if len(run.t_events[1]):
-        return Fate.STICK
+        return Fate.STOPS
     _, _, p, b = parts(run.y[0, -1], run.y[1, -1])
     gap = 9.1375247793 - 72.260370218 * p + b / p  # the distinguished trajectory's force, minus -b/p
     return None if abs(gap) < 1e-6 else Fate.ABOVE if gap > 0 else Fate.BELOW
@@ -245,7 +253,7 @@ def test_cells_of_the_rod_against_float_runs() -> None:
     over = {"theta": "7/10..17/20:12", "theta_dot": "5/2..18/5:12"}
     chance, seen = random.Random(4), Counter[Fate]()
     result = fates(shipped_mechanism("rod_with_wrist"), {"X": 0, "X_dot": "7/2"}, over)
-    certain = [piece for piece in result.pieces if piece.fate in (Fate.BELOW, Fate.ABOVE, Fate.LIFT_OFF, Fate.STICK)]
+    certain = [piece for piece in result.pieces if piece.fate in (Fate.BELOW, Fate.ABOVE, Fate.LIFT_OFF, Fate.STOPS)]
     for k in range(200):
         piece = certain[k % len(certain)]
         th, rate = inside(piece, chance)
@@ -254,3 +262,24 @@ def test_cells_of_the_rod_against_float_runs() -> None:
         seen[piece.fate] += found is not None
     assert sum(seen.values()) > 190
     assert len(seen) >= 2
+
+
+def test_where_b_may_rise_through_0_nothing_presses() -> None:
+    """alpha_2 in (0, 1) for p > 1/8, and b of either sign: lift-off is neither certain nor excluded."""
+    with working_bits(53):
+        shifted = shift(family())
+        plane = PlanarFlow(shifted)
+        side = _side(plane, plane.of_state(prove_near(shifted, place_in(shifted, BALLS), 53).system.point))
+        assert side is not None
+        below, middle, above = (reference(plane, 1, side, [arb("0.25"), arb(b)]) for b in ("-0.25", "0.125", "0.25"))
+        assert below is not None
+        assert middle is not None
+        assert above is not None
+        knots = [arb("0.24"), arb("0.2"), arb("0.14"), arb("0.12"), arb("0.1"), arb("0.08")]
+        for part in strip(plane, below, above, side, knots).slices:
+            assert part.box[1].contains(arb(0))
+            assert (part.presses is not None) == (part.upper < 0.125)
+            assert part.opens is None
+        high = strip(plane, middle, above, side, knots).slices[0]
+        assert high.presses is None
+        assert high.opens is not None

@@ -141,3 +141,31 @@ def test_blocks_cover_the_grid_and_halves_their_box(first: int, second: int) -> 
     assert len(small) == box.cells[0] * box.cells[1]
     low, high = small[0].halves(sides)
     assert (low.lower, high.upper) == (small[0].lower, small[0].upper)
+
+
+def test_slip_between_two_orbits_falls_by_what_the_solution_says_at_most() -> None:
+    """u falls by 2 p - C/(3/2) p^(3/2) from p down to 0, exactly: less than that is no bound."""
+    plane, side = model()
+    below, above = orbit("-1.25"), orbit("-0.875")
+    with working_bits(BITS):
+        found = strip(plane, below, above, side, [arb(0.49 * 0.75**k) for k in range(15)])
+        assert found.end is not None
+        p = arb(0.49 * 0.75**14)
+        for start in ("-1.25", "-1", "-0.875"):
+            c = (arb(start) + 1) / arb("0.5") ** arb("1.5")
+            assert found.rest >= abs(2 * p - c / arb("1.5") * p ** arb("1.5"))
+        # Where the orbits are not followed nothing is known, at the begin and at the end.
+        for knots in ([0.6, 0.45, 0.3], [0.4, 0.2, float(below.end.mid()) / 2]):
+            short = strip(plane, below, above, side, [arb(knot) for knot in knots])
+            assert short.end is None
+            assert len(short.slices) == (0 if knots[0] > 0.5 else 1)
+
+
+def test_p_and_the_place_must_be_coordinates() -> None:
+    """With p itself as the place nothing of the other component is known."""
+    plane, side = model()
+    with working_bits(BITS):
+        found = strip(plane, orbit("-1.25"), orbit("-0.875"), side, [arb("0.49"), arb("0.4")])
+        assert region_of(plane, 1, [found]) is not None
+        assert region_of(plane, 0, [found]) is None
+        assert region_of(plane, 1, [replace(found, slices=())]) is None
