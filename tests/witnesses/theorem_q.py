@@ -12,6 +12,7 @@ from gspot_verified.expansion.from_state.limit_side import OTHER
 from gspot_verified.expansion.from_state.passage import ModelStart, checked_ratio, passage, trajectory_of
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
+from gspot_verified.expansion.true_solutions.equations import Residuals
 from gspot_verified.numbers.balls import ball, working_bits
 
 DELTAS = tuple(fmpq(1, 10**n) for n in (3, 5, 8))
@@ -29,11 +30,11 @@ def side_by_enclosures(
     with working_bits(BITS):
         trajectory = trajectory_of(start)
         for delta in deltas:
-            found = passage(start, trajectory, delta, _FORCE)
+            found = passage(start, Residuals(trajectory, delta), fmpq(0), delta, _FORCE)
             if isinstance(found, str):
                 continue
             layer = found.tube.layer(ball(found.tube.rectangle.h))
             if found.tube.rate < fmpq(3 * found.plan.order, 2) and layer > 0:
-                return OTHER["lift-off" if found.entry.side < 0 else "impact"]
+                return OTHER["lift-off" if found.end.side < 0 else "impact"]
             found = "the order of the slow series is too low"
     return str(found)

@@ -119,7 +119,7 @@ def verdict(
         ),
     ] = None,
     epsilon: Annotated[
-        str | None, typer.Option("--epsilon", "--eps", help="With --beta --from: ε0; left out: the largest of a list.")
+        str | None, typer.Option("--epsilon", "--eps", help="With --beta --from: ε0; left out: as far as it is proved.")
     ] = None,
     within: Annotated[
         str | None,

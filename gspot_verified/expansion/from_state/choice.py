@@ -19,10 +19,8 @@ _TAU = 3.17  # where a hand-over is tried, in units of tau: the slow series is g
 _FARTHER = (1.0, 1.25, 1.5)
 LARGEST = (*(fmpq(1, n) for n in (500, 100, 30, 10, 5, 3, 2)), fmpq(3, 4))
 """z_max, the smallest first: Gamma grows with it."""
-DELTAS = tuple(
-    fmpq(1, n) for n in (8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 70, 85, 100, 120, 150, 200, 300, 400, 600, 1000, 2000)
-)
-"""delta_0 that are tried when none is given."""
+LARGEST_DELTA = fmpq(1, 8)
+"""Up to which delta ranges are followed when no epsilon is given."""
 
 
 @dataclass(frozen=True)

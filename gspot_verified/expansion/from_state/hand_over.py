@@ -1,4 +1,4 @@
-"""The set of deviations that the tube hands over to Theorem U1 at s = -S, for all delta up to delta_0.
+"""The set of deviations that the tube hands over to Theorem U1 at s = -S, for all delta of a range.
 
 Proof page: ``proofs/from_state.md``, section 5. The model system; a = -alpha_1.
 """
@@ -18,7 +18,7 @@ from gspot_verified.numbers.balls import add_remainder, ball, hull
 
 @dataclass(frozen=True)
 class HandOver:
-    """e delta^-mu = ``frame`` u with \\|u - centre\\| <= radii, and \\|f\\| delta^-mu <= ``fast``.
+    """e delta^-mu = ``frame`` u with \\|u - centre\\| <= radii, and \\|phi\\| delta^-mu <= ``fast``.
 
     ``coefficient`` encloses C_1 at the hand-over, ``z`` bounds z there.
     """
@@ -32,7 +32,7 @@ class HandOver:
 
 
 def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries, c_1: arb, place: fmpq) -> HandOver:
-    """The set (13) at s = -``place``, for a system whose state is (p, b, y, v).
+    """The set (13) at s = -``place``, for a system whose state is (p, b, y, v), for all delta of the equations.
 
     :raises ValueError: the tube ends before it, or it is for larger e only.
     """
@@ -42,7 +42,7 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
     a, far = ball(rate), ball(place)
     h = (1 / (a * far**3)).sqrt()
     root = (a * far).sqrt()
-    r = hull([arb(0), root * equations.delta])
+    r = root * equations.small
     last = r.upper()
     z = tube.bound(h, last)
     coefficient = c_1 * carried(tube, series, h, r).exp()
@@ -53,7 +53,7 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
     slow_b, slow_y = -a * far, (r * r * f - lag * v - 1 - w) / kappa
     slow_v = root * evaluated(series.v / R, h, r)
     spread_y, spread_v = (second + (third + lag * first) * last) / kappa, first * root
-    fast = abs(size) * (abs(r * r * f - lag * v) + (third + lag * first) * last)
+    fast = abs(size) * (abs(r * r * f) + third * last)
 
     column, radii = [arb(0)] * equations.size, [arb(0)] * equations.size
     column[equations.b] = (size.mid() * slow_b).mid()

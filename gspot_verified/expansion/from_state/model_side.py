@@ -10,12 +10,14 @@ from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.choice import DELTAS
+from gspot_verified.expansion.from_state.choice import LARGEST_DELTA
 from gspot_verified.expansion.from_state.passage import ModelStart, checked_ratio, passage, rounded_up, trajectory_of
 from gspot_verified.expansion.series.regularisation import Regularisation
-from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
-from gspot_verified.numbers.balls import ExactInput, ball, ball_text, exact, working_bits
+from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges, smallest
+from gspot_verified.expansion.true_solutions.equations import Residuals
+from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_entered, joined, latest_at, proved_so_far
+from gspot_verified.numbers.balls import ExactInput, ball, ball_text, hull, working_bits
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -41,26 +43,27 @@ class ModelSide(NoTruthValue, Written):
     epsilon: fmpq
     c_1: arb
     side: str | None
-    entered: fmpq | None
+    ends: tuple[SideEnd, ...]
     drift: arb | None
-    rate: arb | None
-    ratio: arb | None
-    force: arb | None
     verdict: Verdict
+
+    @property
+    def entered(self) -> fmpq | None:
+        """The first s_1 of all ranges of epsilon."""
+        return first_entered(self.ends)
 
     def latest(self, epsilon: ExactInput) -> arb:
         """The time t after p = 0 by which it has happened: epsilon^(2/3) (s_1 + log(Y_max/(Y_1 delta^mu))/rate).
 
         :raises ValueError: epsilon is not in (0, epsilon_0], or nothing is proved.
         """
-        small = exact(epsilon, "epsilon")
-        if self.entered is None or self.rate is None or self.ratio is None:
+        small = rational(epsilon, "epsilon")
+        if not self.ends:
             raise ValueError("nothing is proved")
         if not (small > 0 and small <= self.epsilon):
             raise ValueError(f"epsilon must lie in (0, {self.epsilon}], got {small}")
         with working_bits(BITS):
-            power = ball(fmpq(2, 3) * (self.start.beta - 1))
-            scaled = ball(self.entered) + (self.ratio / ball(small) ** power).log() / self.rate
+            scaled = latest_at(self.ends, small, 2 * (self.start.beta - 1))
             return (scaled * ball(small) ** ball(fmpq(2, 3))).upper()
 
     def __str__(self) -> str:
@@ -88,7 +91,7 @@ def model_side(
     ``contact`` = (k_1, k_2, c), from the state (p, b) with p > 0. The set of starts is given by ``within``: lambda_N
     within this share of \\|L\\|, L = -b/p - mean force, of -b/p; v/epsilon, phi (``proofs/from_state.md``) likewise.
     The state at rest in the contact, v = 0, y = -h epsilon^2 lambda_N, belongs to every such set. "impact": lambda_N
-    exceeds ``force`` times the mean force. Without ``epsilon`` the largest of a list that is proved is taken.
+    exceeds ``force`` times the mean force. Without ``epsilon`` ranges of it are followed upwards as far as they are proved.
 
     :raises ValueError: beta is not rational, at most 1, an integer or above 30; p, epsilon not positive; L = 0; the
         mean force is not positive; an argument is out of range or not rational; the contact has no damper.
@@ -107,19 +110,9 @@ def model_side(
         if not small > 0:
             raise ValueError(f"epsilon must be positive, got {small}")
     with working_bits(BITS):
-        trajectory = trajectory_of(start)
-        if epsilon is not None:
-            return _side(start, trajectory, small, rounded_up(ball(small).root(3)), factor)
-        first, last = 0, len(DELTAS) - 1  # a search among proofs: nothing rests on its order
-        best = _side(start, trajectory, DELTAS[last] ** 3, DELTAS[last], factor)
-        while best.side is not None and first < last:
-            middle = (first + last) // 2
-            found = _side(start, trajectory, DELTAS[middle] ** 3, DELTAS[middle], factor)
-            if found.side is None:
-                first = middle + 1
-            else:
-                best, last = found, middle
-        return best
+        if epsilon is None:
+            return _side(start, None, LARGEST_DELTA, factor)
+        return _side(start, small, rounded_up(ball(small).root(3)), factor)
 
 
 def _start(values: dict[str, fmpq], springs: Regularisation) -> ModelStart:
@@ -134,34 +127,28 @@ def _start(values: dict[str, fmpq], springs: Regularisation) -> ModelStart:
     return start
 
 
-def _side(start: ModelStart, trajectory: Trajectory, epsilon: fmpq, delta: fmpq, factor: fmpq) -> ModelSide:
+def _side(start: ModelStart, epsilon: fmpq | None, delta: fmpq, factor: fmpq) -> ModelSide:
+    """Up to epsilon; without one, as far as ranges up to delta are proved."""
+    residuals, c_1 = Residuals(trajectory_of(start), delta), start.c_1()
+    found, failed = in_ranges(lambda least, most: passage(start, residuals, least, most, factor), delta)
+    ends = [each.end for each in found]
+    if epsilon is None:
+        delta = ends[-1].most if ends else smallest(delta)
+        epsilon = delta**3
+    shown = joined(ends, delta)
     whole = (
         f"{start.system_text()}, {start.states_text()}, for every 0 < epsilon <= {epsilon}, as long as slip is positive"
     )
-    c_1, found = start.c_1(), passage(start, trajectory, delta, factor)
-    if isinstance(found, str):
-        verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, found)
-        return ModelSide(
-            start, epsilon, c_1, side=None, entered=None, drift=None, rate=None, ratio=None, force=None, verdict=verdict
-        )
-    entry = found.entry
-    before = f"{whole}: lambda_N > 0 up to s = {entry.place}, where p = alpha_1 epsilon^(2/3) s"
-    if entry.side < 0:
+    if shown is None:
+        detail = (failed or "different epsilon have different sides") + proved_so_far(ends)
+        verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, detail)
+        return ModelSide(start, epsilon, c_1, side=None, ends=(), drift=None, verdict=verdict)
+    before = f"{whole}: lambda_N > 0 up to s = {first_entered(ends)}, where p = alpha_1 epsilon^(2/3) s"
+    if ends[0].side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
         side, statement = "impact", f"{before} and on, until it exceeds {factor * start.mean_force}; p < 0 there"
-    ratio = (found.cone.top / entry.Y.lower()).upper()
-    drift = abs((found.handed.coefficient / c_1).log()).upper()
-    verdict = Verdict.proved(statement, found.evidence)
+    drift = hull([abs((each.handed.coefficient / c_1).log()) for each in found]).upper()
     return ModelSide(
-        start,
-        epsilon,
-        c_1,
-        side=side,
-        entered=entry.place,
-        drift=drift,
-        rate=found.cone.a,
-        ratio=ratio,
-        force=found.force,
-        verdict=verdict,
+        start, epsilon, c_1, side=side, ends=tuple(ends), drift=drift, verdict=Verdict.proved(statement, shown)
     )

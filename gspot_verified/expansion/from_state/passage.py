@@ -6,7 +6,7 @@ Proof page: ``proofs/from_state.md``, sections 4 to 6.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
 
@@ -18,13 +18,12 @@ from gspot_verified.expansion.from_state.model_system import model_system
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text, slow_series
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
-from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.expansion.true_solutions.growth import DeviationCone, EntryDeviation
-from gspot_verified.expansion.true_solutions.side import end_of_track, first_end
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations, Residuals
+from gspot_verified.expansion.true_solutions.side import end_of_track
+from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end
 from gspot_verified.expansion.true_solutions.track import track
 from gspot_verified.numbers.balls import ball
 from gspot_verified.numbers.evidence import every
-from gspot_verified.numbers.verdict import Evidence
 
 _ORDER = 10  # of the expansion, whose terms beyond the first vanish for the model system
 _FINENESS = 2**30  # of what is rounded to a rational
@@ -87,15 +86,12 @@ class ModelStart:
 
 @dataclass(frozen=True)
 class Passage:
-    """Where the cone of Theorem U2 was entered, the force reached, and what was compared on the whole way."""
+    """The end for all delta of a range, with what was compared on the whole way as its evidence."""
 
     tube: Tube
     plan: Plan
     handed: HandOver
-    entry: EntryDeviation
-    cone: DeviationCone
-    force: arb
-    evidence: Evidence
+    end: SideEnd
 
 
 def trajectory_of(start: ModelStart) -> Trajectory:
@@ -104,26 +100,27 @@ def trajectory_of(start: ModelStart) -> Trajectory:
     return expand_system(system, max(_ORDER, 2 * int(start.beta.p // start.beta.q) + 8))
 
 
-def passage(start: ModelStart, trajectory: Trajectory, delta: fmpq, factor: fmpq) -> Passage | str:
-    """For all epsilon up to delta^3; the force that an impact must reach is ``factor`` times its mean.
+def passage(start: ModelStart, residuals: Residuals, least: fmpq, delta: fmpq, factor: fmpq) -> Passage | str:
+    """For all epsilon from least^3 to delta^3; the force that an impact must reach is ``factor`` times its mean.
 
     The first S that leads to an end, or what the first one failed by.
     """
     failed = list[str]()
     for choices in plans(start.beta, -start.alpha_1, Contact.of(start.regularisation)):
         found = tube_from(start, delta, choices)
-        ended = f"Theorem B: {found}" if isinstance(found, str) else _ended(start, trajectory, delta, factor, *found)
+        if isinstance(found, str):
+            failed.append(f"Theorem B: {found}")
+            continue
+        equations = DeviationEquations(residuals.trajectory, delta, least, residuals)
+        ended = _ended(start, equations, factor, *found)
         if isinstance(ended, Passage):
             return ended
         failed.append(ended)
     return failed[0]
 
 
-def _ended(
-    start: ModelStart, trajectory: Trajectory, delta: fmpq, factor: fmpq, plan: Plan, passed: Tube
-) -> Passage | str:
+def _ended(start: ModelStart, equations: DeviationEquations, factor: fmpq, plan: Plan, passed: Tube) -> Passage | str:
     """From the hand-over on."""
-    equations = DeviationEquations(trajectory, delta)
     series = slow_series(start.beta, Contact.of(start.regularisation), plan.order)
     handed = hand_over_set(equations, passed, series, start.c_1(), plan.place)
     tracked = track(
@@ -136,8 +133,8 @@ def _ended(
         fast=handed.fast,
         frame=handed.frame,
     )
-    ends = first_end(tracked, -plan.place, factor)
-    if ends is None:
+    end = first_end(tracked, -plan.place, factor)
+    if end is None:
         reached = tracked.pieces[-1].end if tracked.pieces else -plan.place
         if not tracked.is_whole:
             return f"Theorem U1: its inequality is not certain from s = {reached} on; a smaller epsilon may do"
@@ -145,9 +142,8 @@ def _ended(
             f"Theorem U2: up to s = {reached} the deviation lies in no cone that was tried, or lambda_N is not "
             "certainly positive; a smaller epsilon may do"
         )
-    entry, cone, force, evidence = ends
-    whole = every([passed.evidence, evidence])
-    return "nothing was compared" if whole is None else Passage(passed, plan, handed, entry, cone, force, whole)
+    whole = every([passed.evidence, end.evidence])
+    return "nothing was compared" if whole is None else Passage(passed, plan, handed, replace(end, evidence=whole))
 
 
 def tube_from(start: ModelStart, delta: fmpq, choices: Sequence[Plan]) -> tuple[Plan, Tube] | str:

@@ -147,9 +147,8 @@ def uniform_bound(
     with working_bits(BITS):
         equations = DeviationEquations(trajectory, small)
         size = equations.size
-        tracked = track(
-            equations, fmpq(trajectory.order), first, last, [arb(0)] * size, [ball(tube)] * size, ball(tube)
-        )
+        fast = equations.lagged(ball(tube), ball(tube))
+        tracked = track(equations, fmpq(trajectory.order), first, last, [arb(0)] * size, [ball(tube)] * size, fast)
         stretches = tuple(Stretch(one.start, one.end, _constants(tracked, i)) for i, one in enumerate(tracked.pieces))
         names = stretches[0].constants if stretches else ()
         constants = {name: _largest([one.constants[name] for one in stretches]) for name in names}

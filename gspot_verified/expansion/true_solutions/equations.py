@@ -1,7 +1,7 @@
-"""The equations of the deviation from the truncated expansion, on a piece of s and for all delta in (0, delta_0].
+"""The equations of the deviation from the truncated expansion, on a piece of s and for all delta of a range.
 
-Proof page: ``proofs/uniform.md``, Lemma 1: e' = A e + B f - R, where e holds the deviations of xi, p, b, y, v and
-f = e_lambda + kappa e_y is fast.
+Proof page: ``proofs/uniform.md``, Lemma 1: e' = A e + B phi - R, where e holds the deviations of xi, p, b, y, v and
+phi = e_lambda + kappa e_y + (l/g) delta e_v is fast.
 """
 
 from __future__ import annotations
@@ -16,38 +16,64 @@ from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.numbers.balls import add_remainder, ball, hull, nonfinite
 
+_NOTHING = fmpq(0)
+_KEPT = fmpq(15, 16)  # of g, as g_-: any number that (b) of Theorem U1 allows is correct
 _LEVELS = 4  # of s in a unit: constants of the residual are shared up to the next one
 
 
 @dataclass(frozen=True)
 class Coupling:
-    """On one piece: ``matrix`` encloses A - A_0, ``fast`` the column B, ``force`` the expansion's lambda_N."""
+    """On one piece: ``matrix`` encloses A - A_0, ``fast`` the column B, ``force`` the expansion's lambda_N, ``p``
+    p~."""
 
     matrix: arb_mat
     fast: arb_mat
     force: arb
+    p: arb
+
+
+class Residuals:
+    """Bounds on the residuals of a trajectory for all delta up to one, each computed once."""
+
+    def __init__(self, trajectory: Trajectory, delta: fmpq) -> None:
+        self.trajectory, self.delta = trajectory, delta
+        self._known: dict[fmpq, dict[str, arb]] = {}
+
+    def constants(self, reach: fmpq) -> dict[str, arb]:
+        """Bounds on |R| delta^-M for |s| <= reach."""
+        level = fmpq((reach * _LEVELS).ceil(), _LEVELS)
+        if level not in self._known:
+            self._known[level] = residual_bounds(self.trajectory, level, self.delta).constants
+        return self._known[level]
 
 
 class DeviationEquations:
-    """Lemma 1 for a trajectory and delta_0. Components: xi_1, ..., xi_m, p, b, y, v.
+    """Lemma 1 for a trajectory and all delta > 0 from ``least`` to ``delta``. Components: xi_1, ..., xi_m, p, b, y, v.
+
+    ``residuals`` are those of a larger delta, when they do: their bounds hold for every smaller one.
 
     :raises ValueError: the contact has no damper, so that nothing is fast.
     """
 
-    def __init__(self, trajectory: Trajectory, delta: fmpq) -> None:
+    def __init__(
+        self, trajectory: Trajectory, delta: fmpq, least: fmpq = _NOTHING, residuals: Residuals | None = None
+    ) -> None:
         system = trajectory.system
         springs = system.regularisation
         if not springs.c > 0:
             raise ValueError("the contact has no damper (c = 0): there is no fast equation")
         self.trajectory, self.delta = trajectory, ball(delta)
-        self.exact_delta = delta
-        self.small = hull([self.delta, arb(0)])
+        self.least, self.exact_delta = least, delta
+        self.small = hull([self.delta, ball(least)])
+        self.middle = self.small.mid()
         self.dimension = len(system.point)
         self.size = self.dimension + 4
         self.p, self.b, self.y, self.v = range(self.dimension, self.size)
         self.kappa = arb(springs.k_1 * springs.k_2 / (springs.k_1 + springs.k_2))
         self.rate = arb((springs.k_1 + springs.k_2) / springs.c)
+        self.least_rate = self.rate * _KEPT
         self.lag = arb(springs.k_2) - self.kappa
+        self.share = self.lag / self.rate  # of e_v in phi, over delta
         self.damper = arb(springs.k_2 / springs.c)
         self.point = [ball(value) for value in system.point]
         self._functions = BoxProgram(
@@ -61,10 +87,12 @@ class DeviationEquations:
             name: [arb_poly([ball(value) for value in term.coefficients()]) for term in terms]
             for name, terms in trajectory.terms().items()
         }
-        self._residuals: dict[fmpq, dict[str, arb]] = {}
+        self._residuals = Residuals(trajectory, delta) if residuals is None else residuals
+        if not delta <= self._residuals.delta:
+            raise ValueError("the residuals are bounded for a smaller delta only")
 
     def limit(self, s: arb) -> arb_mat:
-        """A_0(s): the matrix at delta = 0."""
+        """A_0(s): A at delta = 0, but for what phi puts into column v, which is taken at the middle delta."""
         rows = [[arb(0)] * self.size for _ in range(self.size)]
         for i, value in enumerate(self.control):
             rows[i][self.y] = -self.kappa * value
@@ -72,16 +100,23 @@ class DeviationEquations:
         rows[self.y][self.v] = rows[self.v][self.b] = arb(1)
         rows[self.v][self.p] = self.mean_force
         rows[self.v][self.y] = -self.kappa * self.alpha_1 * s
+        for row, value in zip(rows, self._limit_fast(s), strict=True):
+            row[self.v] = row[self.v] - self.share * self.middle * value
         return arb_mat(rows)
+
+    def _limit_fast(self, s: arb) -> list[arb]:
+        """B_0(s): the column B at delta = 0."""
+        return [*self.control, arb(0), -self.alpha_3, arb(0), self.alpha_1 * s]
 
     def limit_slope(self) -> arb_mat:
         """The derivative of A_0 by s."""
         rows = [[arb(0)] * self.size for _ in range(self.size)]
         rows[self.v][self.y] = -self.kappa * self.alpha_1
+        rows[self.v][self.v] = -self.share * self.middle * self.alpha_1
         return arb_mat(rows)
 
     def expansion(self, name: str, s: arb, first: int = 0) -> arb:
-        """The truncated expansion of a variable, terms from ``first`` on, for all delta in [0, delta_0]."""
+        """The truncated expansion of a variable, terms from ``first`` on, for all delta of the range."""
         total = arb(0)
         for term in reversed(self._terms[name][first:]):
             total = total * self.small + term(s)
@@ -108,8 +143,15 @@ class DeviationEquations:
         rows[self.b][self.y] = self.kappa * (alpha_3 - self.alpha_3)
         rows[self.v][self.p] = self.expansion("lambda_n", s, 1)
         rows[self.v][self.y] = -self.kappa * bend
-        fast = [*control, arb(0), -alpha_3, arb(0), self.alpha_1 * s + bend]
-        return Coupling(arb_mat(rows), arb_mat([[value] for value in fast]), force)
+        p = self.alpha_1 * s + bend
+        fast = [*control, arb(0), -alpha_3, arb(0), p]
+        for row, value, limit in zip(rows, fast, self._limit_fast(s), strict=True):
+            row[self.v] = -self.share * (self.small * (value - limit) + (self.small - self.middle) * limit)
+        return Coupling(arb_mat(rows), arb_mat([[value] for value in fast]), force, p)
+
+    def lagged(self, bound: arb, v: arb) -> arb:
+        """A bound on |phi| where |f| <= bound, or on |f| where |phi| <= bound: they differ by (l/g) delta e_v."""
+        return (bound + self.share * self.delta * v.abs_upper()).upper()
 
     def norm(self, name: str, reach: arb, first: int = 0) -> arb:
         """A bound on the terms from ``first`` on, monomial by monomial, for |s| <= reach and delta <= delta_0."""
@@ -134,9 +176,6 @@ class DeviationEquations:
 
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         """Bounds on |R| delta^-M for |s| <= reach: those of e, and that of the equation of z."""
-        level = fmpq((reach * _LEVELS).ceil(), _LEVELS)
-        if level not in self._residuals:
-            self._residuals[level] = residual_bounds(self.trajectory, level, self.exact_delta).constants
-        constants = self._residuals[level]
+        constants = self._residuals.constants(reach)
         names = [*(f"xi_{i + 1}" for i in range(self.dimension)), "p", "b", "y", "v"]
         return [constants[name] for name in names], constants["z"]

@@ -1,4 +1,4 @@
-"""A cone of deviations that grow until lambda_N vanishes or exceeds a given force, for all delta in (0, delta_0].
+"""A cone of deviations that grow until lambda_N vanishes or exceeds a given force, for all delta of a range.
 
 Proof page: ``proofs/uniform.md``, Theorem U2: the names are those of the page. Everything is computed at delta_0; the
 hypotheses (G7) make it hold below.
@@ -192,7 +192,7 @@ def grows(
         less(sigma, 1),
         less((ball(fmpq(order, 2)) + 1) * sigma, arb(order) - mu - 1),
         less(ranges.alpha_1.abs_upper() * mu / a, q_last),
-        less(delta, equations.rate * ball(entry.place - entry.begin)),
+        less(delta, equations.least_rate * ball(entry.place - entry.begin)),
         less(phi * B, kappa),
     ])  # fmt: skip
     return None if evidence is None else (((kappa - phi * B) * cone.top).lower(), evidence)

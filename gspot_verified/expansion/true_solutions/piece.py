@@ -1,4 +1,4 @@
-"""One piece of s: bounds on the deviation that hold for all delta in (0, delta_0].
+"""One piece of s: bounds on the deviation that hold for all delta of a range.
 
 Proof page: ``proofs/uniform.md``, Theorem U1. What is checked here is an inequality between numbers; the guesses come
 from ``frames.py`` and may be anything.
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_mat, fmpq
 
-from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.equations import Coupling, DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import Frame, frame_at, larger, matrix_value, turned_frame
 from gspot_verified.numbers.balls import add_remainder, ball, hull
 
@@ -20,10 +20,10 @@ _ATTEMPTS = 40  # to guess bounds that hold; then nothing is said
 
 @dataclass(frozen=True)
 class Deviations:
-    """At one s: e delta^-mu = Q (centre + u), |u_i| <= radii_i, and |f| delta^-mu <= initial + forced.
+    """At one s: e delta^-mu = Q (centre + u), |u_i| <= radii_i, and |phi| delta^-mu <= initial + forced.
 
-    ``initial`` bounds f at the start of the run, ``elapsed`` is the s since then; ``forced`` bounds what the equation
-    has fed into f.
+    ``initial`` bounds phi at the start of the run, ``elapsed`` is the s since then; ``forced`` bounds what the equation
+    has fed into phi.
     """
 
     centre: tuple[arb, ...]
@@ -36,10 +36,11 @@ class Deviations:
 
 @dataclass(frozen=True)
 class TrackPiece:
-    """``deviations`` encloses e delta^-mu for start <= s <= end; ``fast`` bounds |f| delta^-mu, ``force`` encloses
+    """``deviations`` encloses e delta^-mu for start <= s <= end; ``fast`` bounds |phi| delta^-mu, ``force`` encloses
     the deviation of lambda_N, delta^-mu times; ``mean`` is the expansion's lambda_N.
 
-    ``at_end`` is the state at the end; ``end_deviations`` and ``end_fast`` the enclosures there.
+    ``at_end`` is the state at the end, ``end_deviations`` the enclosure there; ``end_fast`` bounds |f| delta^-mu there,
+    f = e_lambda + kappa e_y.
     """
 
     start: fmpq
@@ -61,17 +62,25 @@ class Rules:
         delta = equations.delta
         self.scale = delta ** ball(power)
         self.forcing = delta ** ball(equations.trajectory.order - power)
+        self.rate = equations.least_rate
 
     def fast_start(self, state: Deviations, later: fmpq) -> arb:
-        """What is left of the initial f after ``later`` more s: the exponential grows with delta."""
-        equations = self.equations
-        return state.initial * (-equations.rate * ball(state.elapsed + later) / equations.delta).exp()
+        """What is left of the initial phi after ``later`` more s: the exponential grows with delta."""
+        return state.initial * (-self.rate * ball(state.elapsed + later) / self.equations.delta).exp()
 
-    def fed(self, drive: arb, residual_y: arb, residual_z: arb) -> arb:
-        """What an |e_v| delta^-mu <= drive feeds into f."""
+    def keeps_rate(self, p: arb) -> bool:
+        """Whether g_- bounds the rate of phi from below: the first inequality of (b)."""
         equations = self.equations
-        slow = equations.delta * equations.lag * (drive + self.forcing * residual_y)
-        return ((slow + equations.damper * self.forcing * residual_z) / equations.rate).upper()
+        return bool(self.rate <= equations.rate - equations.share * equations.small**2 * p)
+
+    def fed(self, deviations: Sequence[arb], coupling: Coupling, residual: Sequence[arb], residual_z: arb) -> arb:
+        """What these deviations and residuals feed into phi, (3)."""
+        equations, p = self.equations, coupling.p
+        b, place, y, v = (deviations[i] for i in (equations.b, equations.p, equations.y, equations.v))
+        turn = b + coupling.force * place - equations.kappa * p * y - equations.share * equations.small * p * v
+        slow = equations.share * equations.delta**2 * (turn.abs_upper() + self.forcing * residual[equations.v])
+        rest = equations.delta * equations.lag * residual[equations.y] + equations.damper * residual_z
+        return ((slow + self.forcing * rest) / self.rate).upper()
 
 
 def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPiece | None:
@@ -91,17 +100,17 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPie
     bounds, residual_z = equations.residual(max(abs(start), abs(end)))
     residual = [row * rules.forcing for row in _row_sums(inverse, bounds)]
     first = rules.fast_start(state, fmpq(0))
-    burst = first * equations.delta / equations.rate
+    burst = first * equations.delta / rules.rate
     guess = [larger(value) for value in state.radii]
     for _ in range(_ATTEMPTS):
         spread = _row_sums(basis, guess)
         deviations = [add_remainder(steady[i, 0], spread[i]) for i in range(equations.size)]
         coupling = equations.coupling(s, [value * rules.scale for value in deviations])
-        if not all(value.is_finite() for value in coupling.matrix.entries()):
+        if not all(value.is_finite() for value in coupling.matrix.entries()) or not rules.keeps_rate(coupling.p):
             return None
         rates = inverse * ((coupling.matrix * flow + defect) * state.turned)
         column = inverse * coupling.fast
-        forced = state.forced.max(rules.fed(deviations[equations.v].abs_upper(), bounds[equations.y], residual_z))
+        forced = state.forced.max(rules.fed(deviations, coupling, bounds, residual_z))
         moved = _row_sums(rates, [bound + abs(value) for bound, value in zip(guess, state.centre, strict=True)])
         reached = []
         for i in range(equations.size):
@@ -118,7 +127,7 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPie
     fast = (first + forced).upper()
     later = Deviations(state.centre, tuple(reached), state.turned, state.initial, state.elapsed + end - start, forced)
     last = frame.at(length) * state.turned
-    at_end = _turned(later, last)
+    at_end, end_deviations = _turned(later, last), tuple(enclosure(later, last))
     if at_end is None:
         return None
     return TrackPiece(
@@ -126,11 +135,13 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPie
         end=end,
         deviations=tuple(deviations),
         fast=fast,
-        force=add_remainder(-equations.kappa * deviations[equations.y], fast),
+        force=add_remainder(
+            -equations.kappa * deviations[equations.y], equations.lagged(fast, deviations[equations.v])
+        ),
         mean=coupling.force,
         at_end=at_end,
-        end_deviations=tuple(enclosure(later, last)),
-        end_fast=(rules.fast_start(state, end - start) + forced).upper(),
+        end_deviations=end_deviations,
+        end_fast=equations.lagged(rules.fast_start(state, end - start) + forced, end_deviations[equations.v]),
     )
 
 

@@ -43,7 +43,7 @@ def track(
     fast: arb,
     frame: arb_mat | None = None,
 ) -> Track:
-    """All solutions with |u - centre| <= radii, e delta^-mu = frame u, and |f| delta^-mu <= fast at ``start``.
+    """All solutions with |u - centre| <= radii, e delta^-mu = frame u, and |phi| delta^-mu <= fast at ``start``.
 
     Centre and frame are exact; without a frame u is e delta^-mu itself.
     """

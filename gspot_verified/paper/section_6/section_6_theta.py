@@ -63,7 +63,8 @@ def ratios() -> dict[fmpq, arb]:
         power, place = 2 * (BETA - 1), equations.y - 1  # b stands before y
         begin = slow_deviation(equations, BETA, c_1, FIRST)
         radii = [add_remainder(arb(0), value.rad()).upper() for value in begin]
-        found = track(equations, power, FIRST, LAST, [value.mid() for value in begin], radii, arb(0))
+        fast = equations.lagged(arb(0), begin[equations.v])
+        found = track(equations, power, FIRST, LAST, [value.mid() for value in begin], radii, fast)
         if not found.is_whole:
             return {}
         return {

@@ -44,7 +44,7 @@ def handed(delta: fmpq) -> HandOver:
 
 @pytest.mark.parametrize("smaller", [1.0, 1.7])
 def test_motions_from_the_start_arrive_in_the_set(smaller: float) -> None:
-    """The state at rest with L = 1, at epsilon_0 and below; coordinates u in the frame, and f."""
+    """The state at rest with L = 1, at epsilon_0 and below; coordinates u in the frame, and phi."""
     bound, found = fmpq(1, 12), handed(fmpq(1, 12))
     delta = approximate(bound) / smaller
     p = 4 * delta**2
@@ -60,7 +60,7 @@ def test_motions_from_the_start_arrive_in_the_set(smaller: float) -> None:
     centre, radii = [approximate(one) for one in found.centre], [approximate(one) for one in found.radii]
     for value, middle, radius in zip(u, centre, radii, strict=True):
         assert abs(value - middle) <= radius + 1e-7 * abs(frame)
-    assert abs(fast) * unit <= approximate(found.fast)
+    assert abs(phi) * unit <= approximate(found.fast)
     c_1 = -L * p**-1.5
     assert abs(c_1 - approximate(found.coefficient)) <= float(found.coefficient.rad()) + 1e-7
     # the set is small beside what it holds

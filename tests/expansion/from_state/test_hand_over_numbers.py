@@ -82,7 +82,7 @@ def summed(polynomial: Any, h: mpf, r: mpf) -> mpf:
 def corner(
     c: mpf, z: mpf, delta: mpf, signs: tuple[int, int, int], series: SlowSeries = SERIES
 ) -> tuple[list[mpf], mpf]:
-    """(13): e over delta^mu, and f, for this C(S); |x_1|, |x_2|, |x_3| are as large as z allows."""
+    """(13): e over delta^mu, and phi, for this C(S); |x_1|, |x_2|, |x_3| are as large as z allows."""
     h, r = number(H_1), ROOT * delta
     first, second, third = (sign * in_mpmath(share) * z for sign, share in zip(signs, SHARES, strict=True))
     l = -c * SIZE  # noqa: E741 - the page's name
@@ -90,7 +90,7 @@ def corner(
     e_b, e_v = -(ROOT**2) * l, l * (v / delta + first * ROOT)
     fast = l * (r**2 * f - LAG * v + (third - LAG * first) * r)
     e_y = (fast - l * (1 + w + second)) / KAPPA
-    return [mpf(0), e_b, delta**4 * e_y, delta**2 * e_v, mpf(0), e_b, e_y, e_v], fast
+    return [mpf(0), e_b, delta**4 * e_y, delta**2 * e_v, mpf(0), e_b, e_y, e_v], fast + LAG * delta * e_v
 
 
 @pytest.mark.parametrize("series", [SERIES, OTHER], ids=["the slow part", "any polynomials"])

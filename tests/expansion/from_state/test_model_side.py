@@ -12,16 +12,20 @@ from flint import arb, fmpq
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.expansion.from_state import model_side as module
-from gspot_verified.expansion.from_state.choice import DELTAS, plans
+from gspot_verified.expansion.from_state.choice import LARGEST_DELTA, plans
 from gspot_verified.expansion.from_state.model_side import ModelSide, model_side
 from gspot_verified.expansion.from_state.passage import ModelStart, tube_from
 from gspot_verified.expansion.from_state.slow_series import Contact
 from gspot_verified.expansion.series.regularisation import PAPER
+from gspot_verified.expansion.true_solutions.delta_ranges import smallest
+from gspot_verified.expansion.true_solutions.side_end import SideEnd
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 
-BETA = fmpq(3, 2)
+BETA, PLACE = fmpq(3, 2), fmpq(3, 2)
+SHOWN = less(0, 1)
+assert SHOWN is not None
 
 
 def at_rest(beta: fmpq, epsilon: fmpq, p: fmpq, b: fmpq) -> str | None:
@@ -69,8 +73,7 @@ def test_large_epsilon_is_undecided_and_says_why() -> None:
     found = model_side("5/2", "1/2", "-2/3", epsilon="1/100")
     assert found.side is None
     assert found.verdict.outcome is Outcome.UNDECIDED
-    assert "Theorem B" in found.verdict.detail
-    assert "stays below" in found.verdict.detail
+    assert "a smaller epsilon may do; it is proved up to epsilon = " in found.verdict.detail
     with pytest.raises(ValueError, match="nothing is proved"):
         found.latest("1e-9")
 
@@ -137,29 +140,65 @@ def _of(alpha_1: int) -> ModelStart:
     return ModelStart(BETA, fmpq(alpha_1), fmpq(alpha_1), PAPER, fmpq(1, 2), fmpq(-2), fmpq(1, 100))
 
 
-def test_a_search_ends_at_the_largest_that_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The list is searched by halves; here a stand-in decides."""
-    asked: list[fmpq] = []
+def staged(side: int, until: fmpq) -> Any:
+    """A stand-in for ``passage``: ranges up to ``until`` are proved."""
 
-    def decided(start: Any, _: Any, epsilon: fmpq, delta: fmpq, __: fmpq) -> Any:
-        asked.append(delta)
-        side = "impact" if delta <= fmpq(1, 50) else None
-        return ModelSide(start, epsilon, start.c_1(), side, None, None, None, None, None, object())  # type: ignore[arg-type]
+    def decided(_: Any, __: Any, least: fmpq, most: fmpq, ___: fmpq) -> Any:
+        if most > until:
+            return "too large"
+        end = SideEnd(least, most, side, PLACE + least, arb("1.25"), arb(40), arb(77), SHOWN)
+        return SimpleNamespace(end=end, handed=SimpleNamespace(coefficient=arb("1.5", "0.25")))
 
-    monkeypatch.setattr(module, "_side", decided)
-    assert model_side("5/2", "1/2", "-2/3").epsilon == fmpq(1, 125000)
-    assert len(asked) < 7
+    return decided
 
 
-def fabricated(**changes: Any) -> ModelSide:
+@pytest.mark.parametrize("until", [LARGEST_DELTA, fmpq(1, 50), fmpq(1, 511), fmpq(1, 30000)])
+def test_without_epsilon_ranges_are_followed_as_far_as_they_go(until: fmpq, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "passage", staged(1, until))
+    found = model_side("5/2", "1/2", "-2/3")
+    assert found.side == "impact"
+    reached = found.ends[-1].most
+    assert found.epsilon == reached**3
+    assert until * fmpq(9, 10) < reached <= until
+    assert f"for every 0 < epsilon <= {reached**3}," in found.verdict.statement
+    assert found.entered == fmpq(3, 2)
+
+
+def test_without_any_range_nothing_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "passage", staged(1, fmpq(0)))
+    found = model_side("5/2", "1/2", "-2/3")
+    assert (found.side, found.ends, found.verdict.outcome) == (None, (), Outcome.UNDECIDED)
+    assert found.verdict.detail == "too large"
+    assert found.epsilon == smallest(LARGEST_DELTA) ** 3
+
+
+def test_an_epsilon_beyond_what_is_proved_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "passage", staged(-1, fmpq(1, 50)))
+    found = model_side("5/2", "1/2", "-2/3", epsilon="1/64000")
+    assert (found.side, found.ends) == (None, ())
+    assert found.verdict.detail.startswith("too large; it is proved up to epsilon = ")
+    assert model_side("5/2", "1/2", "-2/3", epsilon="1/126000").side == "lift-off"
+
+
+def test_ranges_on_different_sides_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    one, other = staged(1, fmpq(1, 400)), staged(-1, fmpq(1, 50))
+    monkeypatch.setattr(module, "passage", lambda *given: (one if given[2] == 0 else other)(*given))
+    found = model_side("5/2", "1/2", "-2/3", epsilon="1/1000000")
+    assert found.side is None
+    assert found.verdict.detail == "different epsilon have different sides"
+
+
+def fabricated(ends: tuple[SideEnd, ...] | None = None, **changes: Any) -> ModelSide:
     """A result whose numbers are round: by t = epsilon^(2/3) (3/2 + log(ratio/epsilon^(1/3))/rate)."""
     with working_bits(128):
         start = _of(-1)
         given = {
-            "side": "lift-off", "entered": fmpq(3, 2), "drift": arb(0), "rate": arb("1.25"), "ratio": arb(17, 1),
-            "force": arb(0), "verdict": Verdict.undecided("words", Reason.BUDGET, "why"),
+            "least": fmpq(0), "most": fmpq(1, 10), "side": -1, "entered": fmpq(3, 2), "rate": arb("1.25"),
+            "ratio": arb(17, 1), "force": arb(0), "evidence": SHOWN,
         }  # fmt: skip
-        return ModelSide(start, fmpq(1, 1000), start.c_1(), **(given | changes))
+        undecided = Verdict.undecided("words", Reason.BUDGET, "why")
+        ends = (SideEnd(**(given | changes)),) if ends is None else ends
+        return ModelSide(start, fmpq(1, 1000), start.c_1(), "lift-off", ends, arb(0), undecided)
 
 
 def test_the_time_is_that_of_the_page() -> None:
@@ -173,9 +212,19 @@ def test_the_time_is_that_of_the_page() -> None:
     for epsilon in (fmpq(0), fmpq(-1), fmpq(1001, 10**6)):
         with pytest.raises(ValueError, match=r"epsilon must lie in \(0, 1/1000\]"):
             found.latest(epsilon)
-    for missing in ("entered", "rate", "ratio"):
-        with pytest.raises(ValueError, match="nothing is proved"):
-            fabricated(**{missing: None}).latest(fmpq(1, 1000))
+    with pytest.raises(ValueError, match="nothing is proved"):
+        fabricated(ends=()).latest(fmpq(1, 1000))
+
+
+def test_the_time_is_that_of_the_range_of_epsilon() -> None:
+    parts = ((fmpq(0), fmpq(1, 20)), (fmpq(1, 20), fmpq(1, 10)))
+    ends = tuple(SideEnd(*part, -1, fmpq(k), arb(1), arb(2), arb(0), SHOWN) for k, part in enumerate(parts, 1))
+    found = fabricated(ends=ends)
+    assert found.entered == 1
+    for epsilon, place in ((fmpq(1, 8000), 1.0), (fmpq(1, 7999), 2.0), (fmpq(1, 1000), 2.0)):
+        size = float(epsilon.p) / float(epsilon.q)
+        wanted = size ** (2 / 3) * (place + math.log(2 / size ** (1 / 3)))
+        assert math.isclose(float(found.latest(epsilon)), wanted, rel_tol=1e-12)
 
 
 def test_the_time_is_rounded_upward() -> None:
@@ -190,7 +239,7 @@ def test_what_is_printed() -> None:
     lines = str(fabricated()).splitlines()
     assert lines[-2].startswith("  C_1 = ")
     assert lines[-1].startswith("  at epsilon = 1/1000 by t = ")
-    assert "by t" not in str(fabricated(entered=None))
+    assert "by t" not in str(fabricated(ends=()))
 
 
 def test_what_stands_where_nothing_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -202,13 +251,13 @@ def test_what_stands_where_nothing_is_given(monkeypatch: pytest.MonkeyPatch) -> 
 
     monkeypatch.setattr(module, "_side", noted)
     assert model_side("5/2", "1/2", "-2/3", epsilon="1/8") == "found"
-    ((start, _, epsilon, delta, factor),) = asked
+    ((start, epsilon, delta, factor),) = asked
     assert (start.alpha_1, start.alpha_2, start.regularisation) == (-1, -1, PAPER)
     assert (start.within, factor, epsilon) == (fmpq(1, 100), 10, fmpq(1, 8))
     assert fmpq(1, 2) <= delta < fmpq(1, 2) + fmpq(1, 10**8)
     asked.clear()
     model_side("5/2", "1/2", "-2/3", epsilon="1/3", force="1000001/1000000", alpha_1="-1/7", alpha_2="-1/9", within=0)
-    ((start, _, epsilon, delta, factor),) = asked
+    ((start, epsilon, delta, factor),) = asked
     assert delta**3 >= epsilon
     assert (delta - fmpq(1, 10**8)) ** 3 < epsilon
     assert (start.alpha_1, start.alpha_2, start.within) == (fmpq(-1, 7), fmpq(-1, 9), 0)
@@ -232,49 +281,18 @@ def test_what_is_refused_at_the_edges(words: dict[str, Any], message: str) -> No
         model_side("3/2", words.pop("p", "1/2"), "-2", **words)
 
 
-def staged_passage(side: int) -> Any:
-    return SimpleNamespace(
-        entry=SimpleNamespace(side=side, place=fmpq(3, 2), Y=arb("0.5", "0.25")),
-        cone=SimpleNamespace(top=arb(9, 1), a=arb("1.25")),
-        handed=SimpleNamespace(coefficient=arb("1.5", "0.25")),
-        force=arb(77),
-        evidence=less(0, 1),
-    )
-
-
 @pytest.mark.parametrize(("side", "word"), [(-1, "lift-off"), (1, "impact")])
 def test_what_is_made_of_a_passage(side: int, word: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Y_max/Y_1 is at most 10/(1/4), and C_1 moves from 5/2 to 5/4 at most."""
-    monkeypatch.setattr(module, "passage", lambda *_: staged_passage(side))
+    """C_1 moves from 5/2 to 5/4 at most."""
+    monkeypatch.setattr(module, "passage", staged(side, fmpq(1, 3)))
     monkeypatch.setattr(ModelStart, "c_1", lambda _: arb(fmpq(5, 2)))
     with working_bits(128):
-        found = module._side(_of(-1), None, fmpq(1, 27), fmpq(1, 3), fmpq(11))  # type: ignore[arg-type]
+        found = module._side(_of(-1), fmpq(1, 27), fmpq(1, 3), fmpq(11))
         assert found.side == word
         assert found.verdict.outcome is Outcome.PROVED
-        assert (found.entered, found.force, found.rate) == (fmpq(3, 2), arb(77), arb("1.25"))
-        assert abs(found.ratio - 40) < arb("1e-7")
-        assert found.ratio >= 40
+        assert (found.entered, found.ends[0].force, found.ends[0].rate) == (fmpq(3, 2), arb(77), arb("1.25"))
+        assert found.drift is not None
         assert abs(found.drift - arb(2).log()) < arb("1e-7")
         assert found.drift >= arb(2).log()
     ends = "it vanishes later: contact is lost" if side < 0 else "until it exceeds 22; p < 0 there"
     assert found.verdict.statement.endswith(ends)
-
-
-@pytest.mark.parametrize("last", range(len(DELTAS) + 1))
-def test_a_search_finds_the_largest_wherever_it_stands(last: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """DELTAS[last:] are proved; past the end: none."""
-    asked: list[fmpq] = []
-
-    def decided(start: Any, _: Any, epsilon: fmpq, delta: fmpq, __: fmpq) -> Any:
-        asked.append(delta)
-        assert epsilon == delta**3
-        side = "impact" if delta in DELTAS[last:] else None
-        return ModelSide(start, epsilon, start.c_1(), side, None, None, None, None, None, object())  # type: ignore[arg-type]
-
-    monkeypatch.setattr(module, "_side", decided)
-    found = model_side("5/2", "1/2", "-2/3")
-    assert found.side == ("impact" if last < len(DELTAS) else None)
-    assert found.epsilon == DELTAS[min(last, len(DELTAS) - 1)] ** 3
-    assert asked[0] == DELTAS[-1]
-    assert len(asked) <= (6 if last < len(DELTAS) else 1)
-    assert len(set(asked[1:])) == len(asked) - 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -25,12 +26,16 @@ from gspot_verified.expansion.from_state.passage import (
 from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.true_solutions.bound import rational
+from gspot_verified.expansion.true_solutions.side_end import SideEnd
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import less
 
 SPRINGS = Regularisation.of(2, 3, "1/2")
 BETA, A, P, DELTA = fmpq(7, 3), fmpq(2), fmpq(1, 3), fmpq(1, 50)
 SHOWN = less(0, 1)
+assert SHOWN is not None
+ENDED = SideEnd(DELTA / 2, DELTA, -1, fmpq(3, 2), arb(1), arb(20), arb(2), SHOWN)
+RESIDUALS = SimpleNamespace(trajectory="trajectory")
 
 
 @pytest.fixture(autouse=True)
@@ -156,7 +161,7 @@ class Staged:
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.asked: dict[str, Any] = {}
-        self.ends: Any = ("entry", "cone", "force", SHOWN)
+        self.end: Any = ENDED
         self.tracked = SimpleNamespace(pieces=[SimpleNamespace(end=fmpq(n)) for n in (-2, -1, 7)], is_whole=True)
         monkeypatch.setattr(module, "DeviationEquations", lambda *given: self.note("equations", given))
         monkeypatch.setattr(module, "hand_over_set", self.hand_over)
@@ -179,14 +184,14 @@ class Staged:
 
     def first_end(self, *given: Any) -> Any:
         self.note("first end", given)
-        return self.ends
+        return self.end
 
     def passage(self, monkeypatch: pytest.MonkeyPatch, *found: Any) -> Passage | str:
         """As if the plans for one S after the other gave these tubes, or reasons."""
         given = list(found)
         monkeypatch.setattr(module, "plans", lambda *asked: [self.note("plans", asked)] * len(given))
         monkeypatch.setattr(module, "tube_from", lambda *_: given.pop(0))
-        return passage(start_with(), "trajectory", DELTA, fmpq(11))  # type: ignore[arg-type]
+        return passage(start_with(), RESIDUALS, DELTA / 2, DELTA, fmpq(11))  # type: ignore[arg-type]
 
 
 def passed_tube() -> Tube:
@@ -199,11 +204,12 @@ def test_what_is_handed_from_theorem_to_theorem(monkeypatch: pytest.MonkeyPatch)
     staged, one = Staged(monkeypatch), passed_tube()
     found = staged.passage(monkeypatch, "too wide", (plan(), one), (plan(), one))
     assert isinstance(found, Passage)
-    assert (found.tube, found.plan, found.entry, found.cone, found.force) == (one, plan(), "entry", "cone", "force")
-    assert str(found.evidence) == "1 < 2; 0 < 1"
+    assert (found.tube, found.plan) == (one, plan())
+    assert replace(found.end, evidence=ENDED.evidence) == ENDED
+    assert str(found.end.evidence) == "1 < 2; 0 < 1"
     place, asked = fmpq(5, 2), staged.asked
     assert asked["plans"] == (BETA, A, Contact.of(SPRINGS))
-    assert asked["equations"] == ("trajectory", DELTA)
+    assert asked["equations"] == ("trajectory", DELTA, DELTA / 2, RESIDUALS)
     equations, tube, series, c_1, far = asked["hand over"]
     assert (equations, tube, far) == ("equations", one, place)
     assert series == slow_series(BETA, Contact.of(SPRINGS), 3)
@@ -220,7 +226,7 @@ def test_what_is_handed_from_theorem_to_theorem(monkeypatch: pytest.MonkeyPatch)
 def test_the_reason_is_that_of_the_nearest_place(monkeypatch: pytest.MonkeyPatch) -> None:
     staged, one = Staged(monkeypatch), passed_tube()
     assert staged.passage(monkeypatch, "too wide", "wider") == "Theorem B: too wide"
-    staged.ends = None
+    staged.end = None
     text = staged.passage(monkeypatch, (plan(), one), "too wide")
     assert isinstance(text, str)
     assert text.startswith("Theorem U2: up to s = 7 the deviation lies in no cone")
@@ -234,5 +240,5 @@ def test_the_reason_is_that_of_the_nearest_place(monkeypatch: pytest.MonkeyPatch
 
 def test_without_evidence_nothing_is_passed(monkeypatch: pytest.MonkeyPatch) -> None:
     staged = Staged(monkeypatch)
-    staged.ends = ("entry", "cone", "force", None)
+    staged.end = replace(ENDED, evidence=None)
     assert staged.passage(monkeypatch, (plan(), passed_tube())) == "nothing was compared"

@@ -33,6 +33,7 @@ class Numbers:
     lag: Fraction = Fraction(1, 2)
     damper: Fraction = Fraction(3, 4)
     rate: Fraction = Fraction(2)
+    least_rate: Fraction = Fraction(7, 4)
     delta: Fraction = Fraction(1, 64)
     order: int = 20
     mu: Fraction = Fraction(1)
@@ -110,7 +111,7 @@ def hypotheses(n: Numbers) -> dict[str, Fraction]:
         "G7 sigma": 1 - sigma,
         "G7 order": n.order - n.mu - 1 - (Fraction(n.order, 2) + 1) * sigma,
         "G7 q": q_last - alpha_1 * n.mu / n.a,
-        "G7 fast": n.rate * (n.place - n.begin) - n.delta,
+        "G7 fast": n.least_rate * (n.place - n.begin) - n.delta,
         "G7 force": n.kappa - phi * n.B,
     }
 
@@ -130,6 +131,7 @@ def concluded(n: Numbers, monkeypatch: pytest.MonkeyPatch) -> arb | None:
     equations: Any = SimpleNamespace(
         dimension=2, p=2, b=3, y=4, v=5, trajectory=SimpleNamespace(order=n.order), delta=point(n.delta),
         kappa=point(n.kappa), lag=point(n.lag), damper=point(n.damper), rate=point(n.rate),
+        least_rate=point(n.least_rate),
     )  # fmt: skip
     entry = EntryDeviation(
         1, to_fmpq(n.begin), to_fmpq(n.place), wide(n.Y), wide(n.V), wide(n.N), wide(n.q),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
@@ -34,6 +35,9 @@ SLOPE = [[0] * 5, [0] * 5, [0] * 5, [0] * 5, [0, 0, 0, -1, 0]]
 REST = [[1, 0, 0, 2, 0], [3, 0, 0, 0, 0], [4, 0, 0, -1, 0], [0, 0, 0, 0, 0], [0, 5, 0, 1, 0]]  # over 64
 FAST = [2, 0, -3, 0, 1]
 RESIDUAL, RESIDUAL_Z = [1, 2, 3, 4, 5], 6
+FORCE, P = 7, 3  # the expansion's lambda_N, and p~
+SHARE, LEAST_RATE = LAG / RATE, RATE * fmpq(15, 16)
+SMALL = (fmpq(3, 64), fmpq(1, 64))  # delta from 1/32 to 1/16: middle and radius
 TURNED = [[2, 0, 0, 1, 0], [0, 1, 0, 0, 0], [0, 0, 4, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 2, 1]]
 CENTRE = [1, 0, -2, 3, -1]
 RADII = [fmpq(1, 8), fmpq(1, 16), fmpq(1, 8), fmpq(1, 4), fmpq(1, 32)]
@@ -43,13 +47,17 @@ class Given:
     """Equations with given numbers, which remember what they were asked."""
 
     delta, kappa, lag, damper, rate = (arb(value) for value in (DELTA, KAPPA, LAG, DAMPER, RATE))
-    size, y, v = SIZE, 3, 4
+    share, least_rate, small = arb(SHARE), arb(LEAST_RATE), arb(SMALL[0], (1, -6))
+    size, p, b, y, v = SIZE, 1, 2, 3, 4
     trajectory = SimpleNamespace(order=ORDER)
 
     def __init__(self) -> None:
         self.tubes: list[list[arb]] = []
         self.reaches: list[fmpq] = []
         self.places: list[arb] = []
+
+    def lagged(self, bound: arb, v: arb) -> arb:
+        return (bound + self.share * self.delta * v.abs_upper()).upper()
 
     def limit(self, s: arb) -> arb_mat:
         return arb_mat(LIMIT) + arb_mat(SLOPE) * (s + 1)
@@ -60,7 +68,8 @@ class Given:
     def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
         self.places.append(s)
         self.tubes.append(list(tube))
-        return Coupling(arb_mat(REST) * arb(fmpq(1, 64)), arb_mat([[arb(value, (1, -3))] for value in FAST]), arb(7))
+        fast = arb_mat([[arb(value, (1, -3))] for value in FAST])
+        return Coupling(arb_mat(REST) * arb(fmpq(1, 64)), fast, arb(FORCE), arb(P))
 
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         self.reaches.append(reach)
@@ -89,6 +98,24 @@ def sizes(matrix: fmpq_mat) -> fmpq_mat:
 
 def column(values: Sequence[Any]) -> fmpq_mat:
     return fmpq_mat(len(values), 1, [fmpq(value) for value in values])
+
+
+Ball = tuple[fmpq, fmpq]
+
+
+def times(one: Ball, other: Ball) -> Ball:
+    return one[0] * other[0], abs(one[0]) * other[1] + abs(other[0]) * one[1] + one[1] * other[1]
+
+
+def fed_by(tube: Sequence[Ball]) -> fmpq:
+    """(3) of the page for these middles and radii of e, by hand."""
+    _, place, b, y, v = tube
+    lagging = times(SMALL, v)
+    middle = b[0] + FORCE * place[0] - KAPPA * P * y[0] - SHARE * P * lagging[0]
+    radius = b[1] + FORCE * place[1] + KAPPA * P * y[1] + SHARE * P * lagging[1]
+    shrunk = DELTA ** (ORDER - 2)
+    slow = SHARE * DELTA**2 * (abs(middle) + radius + shrunk * RESIDUAL[4])
+    return (slow + shrunk * (DELTA * LAG * RESIDUAL[3] + DAMPER * RESIDUAL_Z)) / LEAST_RATE
 
 
 def is_bound(value: arb, page: fmpq | Fraction, slack: float = 1e-7) -> bool:
@@ -123,9 +150,8 @@ def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
         largest.append(max(abs(lower), abs(upper)))
     guess = sizes(turned).solve(column(radii))
     length, shrunk = END - START, DELTA ** (ORDER - 2)
-    fed = (DELTA * LAG * (largest[4] + shrunk * RESIDUAL[3]) + DAMPER * shrunk * RESIDUAL_Z) / RATE
-    everything = max(forced, fed)
-    burst = to_fraction(initial) * Fraction(math.exp(-float(int(RATE.p) * int(elapsed.p) * 16) / int(elapsed.q)))
+    everything = max(forced, fed_by(list(zip(middle, radii, strict=True))))
+    burst = to_fraction(initial) * Fraction(math.exp(-30 * float(int(elapsed.p)) / int(elapsed.q)))
     # A at s = -1 and at the end: it is linear in s.
     drift = fmpq_mat(LIMIT) + fmpq_mat(REST) / 64
     matrices = [sizes(inverse * (drift + fmpq_mat(SLOPE) * part) * turned) for part in (fmpq(0), length)]
@@ -136,16 +162,17 @@ def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
     assert all(s.contains(arb(START)) and s.contains(arb(END)) for s in equations.places)
     for i, bound in enumerate(found.at_end.radii):
         page = RADII[i] + length * (moved[i, 0] + weight[i, 0] * everything + rest[i, 0])
-        whole = to_fraction(page) + to_fraction(weight[i, 0]) * burst * to_fraction(DELTA / RATE)
+        whole = to_fraction(page) + to_fraction(weight[i, 0]) * burst * to_fraction(DELTA / LEAST_RATE)
         assert is_bound(bound, whole), i
         assert ends(bound)[1] < to_fraction(guess[i, 0])
-    left = to_fraction(initial) * Fraction(math.exp(-32 * float(int((elapsed + length).p)) / int((elapsed + length).q)))
+    left = to_fraction(initial) * Fraction(math.exp(-30 * float(int((elapsed + length).p)) / int((elapsed + length).q)))
     assert is_bound(found.fast, burst + to_fraction(everything))
-    assert is_bound(found.end_fast, left + to_fraction(everything))
+    lag = to_fraction(SHARE * DELTA) * max(map(abs, ends(found.end_deviations[4])))
+    assert is_bound(found.end_fast, left + to_fraction(everything) + lag)
     assert is_bound(found.at_end.forced, everything)
     assert (found.at_end.initial, found.at_end.elapsed) == (arb(initial), elapsed + length)
     low, high = (to_fraction(-KAPPA) * end for end in reversed(ends(found.deviations[3])))
-    fast = ends(found.fast)[1]
+    fast = ends(found.fast)[1] + to_fraction(SHARE * DELTA * largest[4])
     assert is_bound(found.force + 100, 100 + high + fast, 1e-9)
     assert is_bound(100 - found.force, 100 - low + fast, 1e-9)
     assert equations.reaches == [fmpq(1)]
@@ -168,8 +195,8 @@ def test_all_is_rounded_upwards(bits: int, monkeypatch: pytest.MonkeyPatch) -> N
     assert found is not None
     turned = fmpq_mat(TURNED)
     inverse, length, shrunk = turned.inv(), END - START, DELTA ** (ORDER - 2)
-    largest = (sizes(turned * column(CENTRE)) + sizes(turned) * column([64] * SIZE)).entries()
-    fed = (DELTA * LAG * (largest[4] + shrunk * RESIDUAL[3]) + DAMPER * shrunk * RESIDUAL_Z) / RATE
+    tube = zip((turned * column(CENTRE)).entries(), (sizes(turned) * column([64] * SIZE)).entries(), strict=True)
+    fed = fed_by(list(tube))
     assert fed > fmpq(1, 3)
     weight = sizes(inverse * column(FAST)) + sizes(inverse) * column([fmpq(1, 8)] * SIZE)
     moved = sizes(inverse * (fmpq_mat(LIMIT) + fmpq_mat(REST) / 64) * turned) * (
@@ -178,12 +205,15 @@ def test_all_is_rounded_upwards(bits: int, monkeypatch: pytest.MonkeyPatch) -> N
     rest = sizes(inverse) * column(RESIDUAL) * shrunk
     for i, bound in enumerate(found.at_end.radii):
         page = (
-            RADII[i] + weight[i, 0] * INITIAL * DELTA / RATE + length * (moved[i, 0] + weight[i, 0] * fed + rest[i, 0])
+            RADII[i]
+            + weight[i, 0] * INITIAL * DELTA / LEAST_RATE
+            + length * (moved[i, 0] + weight[i, 0] * fed + rest[i, 0])
         )
         assert ends(bound)[1] >= to_fraction(page)
     assert ends(found.at_end.forced)[1] >= to_fraction(fed)
     assert ends(found.fast)[1] >= ends(found.at_end.forced)[1] + to_fraction(INITIAL)
-    assert ends(found.end_fast)[1] >= to_fraction(fed) + Fraction(math.exp(-2)) * to_fraction(INITIAL)
+    lag = to_fraction(SHARE * DELTA) * max(map(abs, ends(found.end_deviations[4])))
+    assert ends(found.end_fast)[1] >= to_fraction(fed) + lag + Fraction(math.exp(-1.875)) * to_fraction(INITIAL)
 
 
 def test_the_inequality_is_strict(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -197,7 +227,8 @@ def test_the_inequality_is_strict(monkeypatch: pytest.MonkeyPatch) -> None:
             return arb_mat(SIZE, SIZE)
 
         def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
-            return Coupling(arb_mat(SIZE, SIZE), arb_mat([[value] for value in FAST]), super().coupling(s, tube).force)
+            fast = arb_mat([[value] for value in FAST])
+            return Coupling(arb_mat(SIZE, SIZE), fast, super().coupling(s, tube).force, arb(P))
 
         def residual(self, reach: fmpq) -> tuple[list[arb], arb]:  # noqa: ARG002
             return [arb(0)] * SIZE, arb(0)
@@ -296,7 +327,7 @@ class Unbounded(Given):
 
     def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
         whole, (matrix, fast) = super().coupling(s, tube), self._factors
-        return Coupling(whole.matrix * matrix, whole.fast * fast, whole.force)
+        return Coupling(whole.matrix * matrix, whole.fast * fast, whole.force, whole.p)
 
 
 NUMBERS = st.integers(-4, 4)
@@ -359,3 +390,18 @@ def test_the_next_piece_holds_the_set_in_its_own_directions(monkeypatch: pytest.
     with working_bits(BITS):
         monkeypatch.setattr(module, "turned_frame", lambda *_: arb_mat(SIZE, SIZE))
         assert module._turned(now, columns) is None
+
+
+@pytest.mark.parametrize(("p", "kept"), [(fmpq(85333, 1000), True), (fmpq(85334, 1000), False), (fmpq(-500), True)])
+def test_the_rate_of_phi_is_kept(p: fmpq, kept: bool) -> None:
+    """(b): 15/16 g <= g - (l/g) delta^2 p~ at every delta; here g/16 = (l/g) delta_0^2 p~ at p~ = 256/3."""
+
+    class Steep(Given):
+        def coupling(self, s: arb, tube: Sequence[arb]) -> Coupling:
+            return replace(super().coupling(s, tube), p=arb(p))
+
+    equations: Any = Steep()
+    start = Deviations((arb(0),) * SIZE, (arb(2) ** -20,) * SIZE, identity(SIZE), arb(0), fmpq(0), arb(0))
+    with working_bits(BITS):
+        found = advance(Rules(equations, POWER), start, START, START + fmpq(1, 2**14))
+    assert (found is not None) is kept
