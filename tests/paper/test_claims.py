@@ -54,6 +54,8 @@ AMONG = {"(?:some|one) series": "ε <=|10\\^-6", "1 % apart": "1 % apart", "chos
 """What a refuted statement says that there is, and the words by which its claim says among what it was looked for."""
 ELSEWHERE = {("3-case-II", 77), ("3-case-II", 366), ("4-unique-smooth", 808), ("2-trivial-zy", 1054)}
 """Refuted entries with claims in other lines that say the same: an error of one line refutes no other one by itself."""
+BRACKETED = r"(?<!\w)\([^()]*(?:[^\W\d_]{2}|[<>=≠≤≥→])"
+"""A bracket with a word or a comparison in it; those of formulas, of panels and of places in a plane have none."""
 UNIVERSAL = r"\b(?:all|every|always|never|any|each|only|none|no other|exactly|for ever|unique|whenever)\b"
 
 
@@ -137,6 +139,25 @@ def test_standing(outcomes, standing):
     for limited in (Standing.PROVED_UNDER, Standing.OVERTAKEN):
         found = replace(claim, proved_as=limited, why="β > 1").standing(known)
         assert found is (limited if standing is Standing.PROVED else standing)
+
+
+def test_no_condition_stands_in_brackets() -> None:
+    """What the paper's words do not say is a condition, with the standing that says so."""
+    assert [claim.words for claim in paper_claims() if re.search(BRACKETED, claim.words)] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "condition"),
+    [
+        ("three outcomes (constant α's)", True),
+        ("z relaxes (y fixed)", True),
+        ("Θ ~ (-τ)^β (β not -1, -2, where Γ(1 + β) is infinite)", True),
+        ("λ-hat > 0 (β < 1)", True),
+        ("Table 1(b): b = (α_1 - α_3) p in the (b, p)-plane of panel (a), O(ε^(2β/3)) as (-τ)^β, z_(-1)", False),
+    ],
+)
+def test_a_condition_in_brackets_is_seen(words: str, condition: bool) -> None:
+    assert bool(re.search(BRACKETED, words)) is condition
 
 
 def unsaid(claim: PaperClaim, statements: Mapping[str, str]) -> list[str]:
