@@ -37,6 +37,15 @@ INELASTIC: dict[str, int] = {"k_1": -1, "k_2": 1}
 """The signs of the powers of n in k_1 → 0, k_2 → ∞."""
 LOSSY = (fmpq(1, 16), fmpq(1, 64))
 """k_1 = 1/k_2 at which the coefficient is enclosed, with c = p = 1: ρ = k_1², ζ² = k_1."""
+CHOICE = {"k_1": fmpq(-2), "k_2": fmpq(-2), "c": fmpq(-1)}
+"""k_1, k_2 and c as powers of ε (compliant3)."""
+SCALES = Algebra("y v z lam rho zeta k1 k2 c p q n r")
+"""n = 1/ε, r = sqrt(p), q the length that the speed at the start makes with them."""
+SPRINGS = {"y": "v", "v": "p*lam", "z": "-k1*z - lam", "lam": "k2*(z - y)"}
+"""The rates of y and v, c times that of z, and λ_N in contact (compliant1, compliant2), λ_N the only force."""
+UNITS = {"y": "q", "z": "q", "v": "q*n*r", "lam": "q*n^2"}
+"""Lengths, speeds and forces grow with the speed at the start, q n r."""
+PER_TIME = "n*r"
 STIFFNESS = fmpq(1, 400)
 ONE_CONTACT = (fmpq(1, 25), fmpq(10**4))
 """Two values of p, with k_1 = STIFFNESS, k_2 = c = 1: ρ = k_1, ζ² = p."""
@@ -155,6 +164,56 @@ def _elastic() -> Entry:
     )
 
 
+def in_units() -> bool | None:
+    """Whether the springs and the damper, with the powers of ε of compliant3, are the motion with ρ = 1, ζ = sqrt(p).
+
+    In the units of the impact, of which ρ and ζ are all that is left: no ε, and no speed at the start.
+    """
+    images = {name: SCALES.read(unit) * SCALES.symbols[name] for name, unit in UNITS.items()}
+    powers = {"k1": CHOICE["k_1"], "k2": CHOICE["k_2"], "c": CHOICE["c"]}
+    images |= {name: SCALES.symbols["n"] ** int(-power) for name, power in powers.items()}
+    images["p"] = SCALES.read("r^2")
+    left = {name: SCALES.substitute(SCALES.read(text), images) for name, text in SPRINGS.items()}
+    plain = {"rho": SCALES.constant(1), "zeta": SCALES.symbols["r"], "lam": SCALES.read(FORCE)}
+    answers = [left["lam"] - SCALES.read(UNITS["lam"]) * SCALES.read(FORCE)]
+    for name, text in MOTION.items():
+        factor = images["c"] if name == "z" else SCALES.constant(1)
+        moved = factor * SCALES.read(UNITS[name]) * SCALES.read(PER_TIME) * SCALES.substitute(SCALES.read(text), plain)
+        answers.append(SCALES.symbols["r"] * SCALES.substitute(left[name], plain) - moved)
+    return all(answer.is_zero() for answer in answers)
+
+
+def has_no_epsilon() -> bool | None:
+    """Whether ρ = k_1/k_2 and ζ = c sqrt(p/k_2) have the power 0 of ε, and sqrt(k_2 p) the power -1."""
+    k_1, k_2, c = (CHOICE[name] for name in ("k_1", "k_2", "c"))
+    return k_1 == k_2 == -2 and c - k_2 / 2 == 0
+
+
+def _consistent() -> Entry:
+    return settled(
+        SECTION,
+        "2-restitution-consistent",
+        "lines 560 to 562",
+        r"\epsilon\to0:\ \text{consistent with models of coefficients of restitution}",
+        "With k_1 = k_2 = 1/ε² and c = 1/ε an impact (constant p > 0, λ_N the only force, y = z = 0 at its start) has "
+        "one coefficient of restitution, between 0 and 1, for every ε > 0 and every v < 0 at its start, and lasts ε "
+        "times a number that does not depend on ε: as ε → 0 it is a jump of v",
+        Check(
+            Rung.EXACT,
+            "eqs. compliant1 to compliant3 in units of the impact: no ε is left, and no speed",
+            in_units(),
+        ),
+        Page("restitution", COMMON).carries(
+            Check(
+                Rung.EXACT,
+                "Theorem Q1: the impact ends, with 0 < e < 1; ρ, ζ and ε sqrt(k_2 p) have no ε in them",
+                has_no_epsilon(),
+            )
+        ),
+        note="The number depends on p: 2-restitution-not-fixed.",
+    )
+
+
 def bound_vanishes() -> bool | None:
     """Whether ζ, sqrt(ρ)/ζ and ρ tend to 0 for k_1 = n^a, k_2 = n^b of the signs of the limit, c and p fixed."""
     a, b = INELASTIC["k_1"], INELASTIC["k_2"]
@@ -250,6 +309,7 @@ def _not_fixed() -> Entry:
 
 
 ENTRIES: Builders = {
+    "2-restitution-consistent": _consistent,
     "2-restitution-elastic": _elastic,
     "2-restitution-inelastic": _inelastic,
     "2-restitution-not-fixed": _not_fixed,

@@ -73,6 +73,8 @@ COMMON = fmpq(1, 1500)
 """So do Theorems E3 and E5 for the two reasons against one series for all numbers."""
 PAIR = (("v", BETAS[2]), ("y", BETAS[1]))
 """Two quantities whose exponents are the same over every series."""
+NONE_BELOW = {("b", BETAS[2]): fmpq(1, 2500), ("y", BETAS[2]): fmpq(1, 20000)}
+"""No series of epsilon up to here (Theorem E3) gives the printed number; series of larger ones do."""
 TINY = fmpq(1, 10**15)
 """Below it every series gives the printed limits."""
 CROSSINGS = dict(zip(BETAS, (fmpq(69, 100), fmpq(-31, 100), fmpq(12, 5)), strict=True))
@@ -254,8 +256,10 @@ def _notes(name: str, beta: fmpq) -> str:
     if name == "t" and beta == fmpq(3, 2):
         found += " b-hat vanishes twice; this is the time before the G-spot."
     if name == "b" and beta == fmpq(5, 2):
-        found += " Between ε = 1/2500 and 1/300 the oscillations of the contact still matter; no series of ε <= 1/2500 "
-        found += "(neighbours 1 % apart or more) gives this number (proofs/scaling_exponents.md, Theorem E3)."
+        found += " Between ε = 1/2500 and 1/300 the oscillations of the contact still matter."
+    if (name, beta) in NONE_BELOW:
+        found += f" No series of ε <= {NONE_BELOW[name, beta]} (neighbours 1 % apart or more) gives this number "
+        found += "(proofs/scaling_exponents.md, Theorem E3)."
     return found
 
 

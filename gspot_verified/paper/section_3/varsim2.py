@@ -139,7 +139,13 @@ def _one_way(nu: fmpq) -> Entry:
 
 def _two_way(nu: fmpq) -> Entry:
     what = f"a float run ({_FLOATS[0]}): the same events at these times"
-    return _run(1, nu, Check(Rung.POINTS, what, floats_agree(1, nu)), "")
+    note = "Whether an impact without collision begins before is not shown."
+    if RUNS[1, nu][0] == STICK:
+        note += (
+            f" u(0) = {FIRST_SLIP} is not large enough for ν = {nu}: with {FASTER[0]} and more it lifts off and has "
+        )
+        note += "not stuck (3-large-slip)."
+    return _run(1, nu, Check(Rung.POINTS, what, floats_agree(1, nu)), note)
 
 
 def identifier(chi: int, nu: fmpq) -> str:

@@ -154,8 +154,16 @@ def test_every_measured_number_has_its_entry_and_its_note() -> None:
             assert (ledger.identifier(name, beta) in ledger.ENTRIES) is True
             note = ledger._notes(name, beta)
             assert ("vanishes twice" in note) is ((name, beta) == ("t", BETAS[1]))
-            assert ("Theorem E3" in note) is ((name, beta) == ("b", BETAS[2]))
-            assert ("neighbours 1 % apart" in note) is ("no series" in note)
+            assert ("Theorem E3" in note) is ("neighbours 1 % apart" in note) is ((name, beta) in ledger.NONE_BELOW)
+
+
+def test_a_number_that_series_of_small_epsilon_do_not_give() -> None:
+    """And those of larger ones do: such a number is possible."""
+    for (name, beta), largest in ledger.NONE_BELOW.items():
+        text = ledger.MEASURED[name][beta]
+        assert [ledger.can_be_the_number(text, name, beta, e) for e in (largest, 2 * largest)] == [False, None]
+        assert all(max(ledger.epsilons(series)) > largest for series in ledger.SERIES[name, beta])
+        assert str(largest) in ledger._notes(name, beta)
 
 
 def test_formulas_at_one_beta() -> None:

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from flint import fmpq
-from paper.bite import GENERIC, Bite, NotApplicable, Teeth, replaced, unseen_at
+from paper.bite import GENERIC, Bite, NotApplicable, Teeth, raised, replaced, unseen_at
 
 from gspot_verified.paper.section_2 import section_2_restitution as ledger
 
 ENTRIES = ledger.ENTRIES
 
 TEETH: Teeth = {
+    "2-restitution-consistent": (
+        Bite("factor", ledger.SPRINGS, "z", replaced("k1*z", f"{GENERIC}*k1*z")),
+        Bite("factor", ledger.MOTION, "v", replaced("zeta*", f"{GENERIC}*zeta*")),
+        Bite("hidden factor", ledger.SPRINGS, "lam", unseen_at("k2", (1, 4))),
+        Bite("hypothesis", ledger.CHOICE, "c", lambda _: fmpq(-2)),
+        Bite("order", ledger, "PER_TIME", raised("n")),
+    ),
     "2-restitution-elastic": (
         Bite("factor", ledger.MOTION, "v", replaced("zeta*", f"{GENERIC}*zeta*")),
         Bite("factor", ledger, "LARGEST_LOSS", lambda honest: honest / 20),
