@@ -1,6 +1,7 @@
-"""Ledger of Section 5: the sign of C_1/Γ(-β) decides lift-off or impact, for the extended example and all small ε.
+"""Ledger of Section 5: the sign of C_1/Γ(-β) decides lift-off or impact, for all small ε.
 
-Proof page: proofs/uniform.md, Theorem U2.
+Proof pages: proofs/papers_rule.md, Theorem R, for every mechanism of Case III and an ε_0 that is not computed;
+proofs/uniform.md, Theorem U2, for the extended example and an explicit one.
 """
 
 from __future__ import annotations
@@ -10,12 +11,15 @@ from functools import lru_cache
 
 from flint import arb, fmpq
 
+from gspot_verified.expansion.from_state.limit_side import OTHER, limit_side
 from gspot_verified.expansion.series.legend import DELTA_FACTORS
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.side import UniformSide, uniform_side
 from gspot_verified.numbers.balls import ball, ball_text, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
+from gspot_verified.paper.checks.page import Page
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import IMPACT
@@ -33,6 +37,16 @@ FIRST_EVENT = {-1: LIFT_OFF, 1: IMPACT}
 FLOATS = ("LSODA", 1e-8)
 SMALLER = (fmpq(1), fmpq(1, 4))
 """Float runs are made at these fractions of the largest δ."""
+RULE_BETAS = tuple(fmpq(10 * n + tenth, 10) for n in range(1, 9) for tenth in (1, 9))
+"""Near both ends of every interval between integers, from 1 to 9."""
+BARRIER = Algebra("h r w b")
+"""w = l/g; b = β - 3/2."""
+WEIGHTS = (fmpq(1), fmpq(1, 2))
+"""k_1 and k_2 in the matrix M of Lemma R1."""
+DECAY, EXCESS = fmpq(1, 8), fmpq(1, 8)
+"""θ g/l, and Γ_E - (β - 3/2)/2."""
+CONE = (fmpq(1, 2), fmpq(3, 4))
+"""a_U and c_U over ω (section 6)."""
 _UNTIL = 25
 _BITS = 128
 
@@ -85,6 +99,65 @@ def float_runs_agree(amount: fmpq) -> bool | None:
     return all_of(bool(run.events) and run.events[0].name == expected(amount) for run in runs)
 
 
+def barrier_is_positive() -> bool:
+    """Lemma R1: N_11/(2κ), and half the Schur complement of N_33, are sums of a positive h r and a positive w r².
+
+    N = 2(Γ_E h r - θ r²) diag(κ, 1, 0) - S by entries, θ = w/8 and Γ_E = b/2 + 1/8, with S_11 = κ(b h r - 2 k_2 w r²),
+    S_22 = b h r - 2 (k_1 - k_2) w r², S_23 = k_1 g r, S_33 = -2 g³/l: N_23²/N_33 is k_1² w r²/2.
+    """
+    first, second = WEIGHTS
+    h, r, w, b = (BARRIER.symbols[name] for name in "hrwb")
+    growth = (b / 2 + EXCESS) * h * r - DECAY * w * r**2
+    corner = growth - (b * h * r - 2 * second * w * r**2) / 2
+    schur = growth - (b * h * r - 2 * (first - second) * w * r**2) / 2 - first**2 * w * r**2 / 4
+    return all(rising_signs(value) and len(value.to_dict()) == 2 for value in (corner, schur))
+
+
+def cone_is_kept() -> bool:
+    """Section 6: a_U < V/Y = ω, c_U < N/V = ω, a_U < c_U, and κq = ω² > c_U², as δ → 0 far out."""
+    slope, rise = CONE
+    return 0 < slope < rise < 1 and rise**2 < 1
+
+
+R = Page("papers_rule", (barrier_is_positive, cone_is_kept))
+
+
+def rule_is_the_printed_one(beta: fmpq) -> bool | None:
+    """Whether Theorem R has the printed events for both signs of C_1/Γ(-β)."""
+    found, sign = limit_side(beta), gamma_sign(beta)
+    if found.side is None or sign is None or found.verdict.outcome is not Outcome.PROVED:
+        return None
+    names = {LIFT_OFF: "lift-off", IMPACT: "impact"}
+    return {sign: found.side, -sign: OTHER[found.side]} == {key: names[event] for key, event in FIRST_EVENT.items()}
+
+
+def _rule() -> Entry:
+    return settled(
+        "Section 5, matching",
+        "5-rule",
+        "lines 2087 to 2092",
+        r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
+        "For every mechanism of Case III with analytic functions, p, b, y, v independent at its G-spot, k_1, k_2, c > "
+        "0, β > 1 not an integer, and every rigid slip motion into the G-spot with C_1 not 0: compliant starts that "
+        "tend to a state of it, the contact not far from rest, keep contact and slip until p < 0 for every ε up to "
+        "some ε_0 > 0, and then lose contact for C_1/Γ(-β) < 0; for C_1/Γ(-β) > 0 λ_N grows past any given force, on "
+        "which ε_0 depends, and contact is not lost before",
+        R.carries(
+            Check(
+                Rung.EXACT,
+                "Theorem R: the event for each sign of C_1/Γ(-β) is the printed one, between each two integers",
+                all_of(rule_is_the_printed_one(beta) for beta in RULE_BETAS),
+            )
+        ),
+        Check(
+            Rung.POINTS,
+            "5-side, by another theorem: the families of the extended example, χ = 1, have these events",
+            all_of(is_as_expected(amount) for amount in AMOUNTS),
+        ),
+        note="ε_0 is not computed. That an impact is completed is not proved. Cases I and II are not covered.",
+    )
+
+
 def _latest(amount: fmpq) -> str:
     found = side_of(amount)
     if found.entered is None:
@@ -119,5 +192,5 @@ def _side() -> Entry:
     )
 
 
-ENTRIES: Builders = {"5-side": _side}
+ENTRIES: Builders = {"5-side": _side, "5-rule": _rule}
 """The side of stated families for all small ε."""

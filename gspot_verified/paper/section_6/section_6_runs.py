@@ -1,7 +1,8 @@
 """Ledger of Section 6: the simulations of the oscillator at epsilon = 10^-6, and the Cases that it may belong to.
 
 Rigid slip up to the G-spot and C_1 there are enclosed (proofs/approach.md); what follows is the paper's statement at
-leading order, beside a float run of the oscillator with its contact. Certified runs: ``gspot-verified simulate``.
+leading order, and for all small ε by Theorem R (proofs/papers_rule.md), beside a float run of the oscillator with its
+contact. Certified runs: ``gspot-verified simulate``.
 """
 
 from __future__ import annotations
@@ -12,8 +13,8 @@ from flint import arb, fmpq
 
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.lift_off import lift_off
-from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.approach_result import Approach
+from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.numbers.balls import approximate, ball_text, hull, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
@@ -53,10 +54,14 @@ MEMBERS: dict[str, tuple[fmpq, fmpq]] = {
 
 
 @lru_cache(maxsize=4)
+def in_the_limit(name: str) -> MechanismSide:
+    """What the oscillator with its contact does from one start, for all small ε."""
+    return mechanism_side(shipped_mechanism("oscillator"), {"phi": "phi_ref + 1/10", "phi_dot": STARTS[name]})
+
+
 def slip(name: str) -> Approach:
     """The oscillator in rigid slip from one start, followed with every error bounded."""
-    mechanism = shipped_mechanism("oscillator")
-    return approach(mechanism, {"phi": "phi_ref + 1/10", "phi_dot": STARTS[name]})
+    return in_the_limit(name).approach
 
 
 @lru_cache(maxsize=4)
@@ -77,6 +82,12 @@ def takes(name: str) -> bool | None:
     return (sign * side > 0) == (SEQUENCES[name][0] == IMPACT)
 
 
+def takes_in_the_limit(name: str) -> bool | None:
+    """Whether the first event is that of Theorem R."""
+    side = in_the_limit(name).side
+    return None if side is None else side == {LIFT_OFF: "lift-off", IMPACT: "impact"}[SEQUENCES[name][0]]
+
+
 def floats_show(name: str) -> bool | None:
     """Whether the float run has the events of the figure."""
     return tuple(event.name for event in simulated(name).events) == SEQUENCES[name]
@@ -86,6 +97,7 @@ def _start(name: str) -> Entry:
     found = slip(name)
     size = "" if found.coefficient is None else f"C_1 = {ball_text(found.coefficient, 8)}"
     what = "lift-off" if SEQUENCES[name][0] == LIFT_OFF else "impact"
+    then = {"lift-off": "lose contact", "impact": "have a force above any given one, and lose no contact before"}[what]
     return settled(
         SECTION,
         name,
@@ -93,8 +105,15 @@ def _start(name: str) -> Entry:
         r"\text{" + ", ".join(SEQUENCES[name]) + "}",
         f"From φ = φ* + 1/10, φ-dot = {STARTS[name]}, y = v = 0, β = 7/3, κ = 0: rigid slip, positive on a belt that "
         "is fast enough, reaches the G-spot with a positive contact force, on the side of the distinguished trajectory "
-        f"from which, at leading order as ε → 0, there is a{'n' if what == 'impact' else ''} {what}",
+        f"from which, at leading order as ε → 0, there is a{'n' if what == 'impact' else ''} {what}; for every ε up to "
+        "some ε_0 > 0 compliant starts that tend to this one, the contact not far from rest, keep contact and slip "
+        f"until p < 0, and then {then}",
         Check(Rung.BALLS, "proofs/approach.md: the path in rigid slip and C_1 in balls", takes(name), size),
+        Check(
+            Rung.BALLS,
+            "proofs/papers_rule.md, Theorem R: its hypotheses at this start and at the G-spot, in balls",
+            takes_in_the_limit(name),
+        ),
         Check(
             Rung.POINTS,
             f"a float run at ε = 10^-6 ({FLOATS[0]}): {', '.join(SEQUENCES[name])}",

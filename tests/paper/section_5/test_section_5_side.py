@@ -54,6 +54,34 @@ def test_each_run_is_of_its_own_epsilon(monkeypatch: pytest.MonkeyPatch) -> None
     assert ledger.float_runs_agree(fmpq(-1)) is False
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "step", "holds"),
+    [
+        ("WEIGHTS", (fmpq(1), fmpq(1, 2)), "barrier_is_positive", True),
+        ("WEIGHTS", (fmpq(1), fmpq(1, 7)), "barrier_is_positive", True),
+        ("WEIGHTS", (fmpq(1), fmpq(1, 8)), "barrier_is_positive", False),
+        ("WEIGHTS", (fmpq(1), fmpq(5, 8)), "barrier_is_positive", False),
+        ("WEIGHTS", (fmpq(7, 2), fmpq(1, 2)), "barrier_is_positive", False),
+        ("DECAY", fmpq(1, 4), "barrier_is_positive", False),
+        ("EXCESS", fmpq(0), "barrier_is_positive", False),
+        ("CONE", (fmpq(1, 2), fmpq(3, 4)), "cone_is_kept", True),
+        ("CONE", (fmpq(3, 4), fmpq(1, 2)), "cone_is_kept", False),
+        ("CONE", (fmpq(1, 2), fmpq(1)), "cone_is_kept", False),
+    ],
+)
+def test_the_steps_of_the_rule(monkeypatch: pytest.MonkeyPatch, name: str, value: Any, step: str, holds: bool) -> None:
+    """proofs/papers_rule.md, Lemma R1 and section 6."""
+    monkeypatch.setattr(ledger, name, value)
+    assert getattr(ledger, step)() is holds
+
+
+def test_the_rule_between_two_integers() -> None:
+    """Γ(-β) < 0 for β in (2, 3): C_1 > 0 has the event of C_1/Γ(-β) < 0."""
+    assert all(ledger.rule_is_the_printed_one(beta) for beta in ledger.RULE_BETAS)
+    assert {int(beta.p // beta.q) for beta in ledger.RULE_BETAS} == set(range(1, 9))
+    assert ledger.rule_is_the_printed_one(arb(2, fmpq(1, 2))) is None
+
+
 def test_the_side_by_the_rule(monkeypatch: pytest.MonkeyPatch) -> None:
     """C_1/Γ(-3/2) > 0 for C_1 > 0."""
     assert [ledger.expected(fmpq(n)) for n in (-2, 2)] == ["lift-off", "impact without collision"]

@@ -45,6 +45,13 @@ def test_the_side_of_a_start(
     assert ledger.takes(SECOND) is second
 
 
+def test_the_side_of_a_start_for_small_epsilon(monkeypatch: pytest.MonkeyPatch) -> None:
+    for side, first in (("lift-off", True), ("impact", False), (None, None)):
+        monkeypatch.setattr(ledger, "in_the_limit", lambda _, side=side: SimpleNamespace(side=side))
+        assert ledger.takes_in_the_limit(FIRST) is first
+        assert ledger.takes_in_the_limit(SECOND) is (None if first is None else not first)
+
+
 def simulation(*events: tuple[str, Any], t: Any = (), p: Any = (), samples: bool = True) -> Any:
     """A float run with these events and these values of t and p."""
     return SimpleNamespace(
@@ -230,14 +237,16 @@ def test_a_number_that_is_zero(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_entries_without_an_answer_are_open(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ledger, "slip", lambda _: path(None))
+    monkeypatch.setattr(ledger, "in_the_limit", lambda _: SimpleNamespace(approach=path(None), side=None))
     monkeypatch.setattr(ledger, "simulated", lambda _: simulation((LIFT_OFF, 1), (TOUCH_DOWN, 2), (IMPACT, 3)))
     first, second = (ledger.ENTRIES[name]() for name in (FIRST, SECOND))
-    assert [check.agrees for check in first.checks] == [None, True]
-    assert [check.agrees for check in second.checks] == [None, False]
-    assert first.statement.endswith("as ε → 0, there is a lift-off")
-    assert second.statement.endswith("as ε → 0, there is an impact")
-    assert first.checks[1].finding == "lift-off at t = 1, touch-down at t = 2, impact without collision at t = 3"
+    assert [check.agrees for check in first.checks] == [None, None, True]
+    assert [check.agrees for check in second.checks] == [None, None, False]
+    assert "as ε → 0, there is a lift-off; for every ε up to some ε_0 > 0" in first.statement
+    assert "as ε → 0, there is an impact; for every ε up to some ε_0 > 0" in second.statement
+    assert first.statement.endswith("until p < 0, and then lose contact")
+    assert "then have a force above any given one" in second.statement
+    assert first.checks[-1].finding == "lift-off at t = 1, touch-down at t = 2, impact without collision at t = 3"
     entry = ledger.ENTRIES["6-lift-off-time"]()
     assert [check.agrees for check in entry.checks] == [None, None]
     assert [check.finding for check in entry.checks] == ["", ""]

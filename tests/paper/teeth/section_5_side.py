@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from flint import fmpq
+from flint import arb, fmpq
 from paper.bite import Bite, Teeth
 
 from gspot_verified.paper.section_5 import section_5_side as ledger
@@ -15,5 +15,11 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger, "LARGEST_DELTA", lambda honest: 5 * honest),
         Bite("hypothesis", ledger, "WITHIN", lambda _: fmpq(4)),
         Bite("order", ledger, "ORDER", lambda _: 2),
+    ),
+    "5-rule": (
+        Bite("factor", ledger, "FIRST_EVENT", lambda honest: {-sign: event for sign, event in honest.items()}),
+        Bite("hidden factor", ledger, "WEIGHTS", lambda honest: (honest[0], fmpq(1, 20))),
+        Bite("hypothesis", ledger, "RULE_BETAS", lambda honest: (*honest, arb(2, fmpq(1, 2)))),
+        Bite("order", ledger, "CONE", lambda honest: (honest[0], 2 * honest[1])),
     ),
 }
