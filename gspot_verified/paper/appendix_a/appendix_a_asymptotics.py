@@ -122,7 +122,8 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
         f"A-{LARGE_NAMES[j]}",
         f"th:5, eq:{LARGE_NAMES[j]}",
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
-        f"The asymptotic form of eq. {LARGE_NAMES[j]} holds as τ → +∞ for every β except {j}, {j + 3}, {j + 6}, ...",
+        f"The asymptotic form of eq. {LARGE_NAMES[j]} holds as τ → +∞ for every β except {j}, {j + 3}, {j + 6}, ..., "
+        "where the c_k with k >= 8 are those of the equation by DLMF 16.11.8, which is cited and not proved here",
         CONNECTION.carries(
             claim.check(
                 "β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "

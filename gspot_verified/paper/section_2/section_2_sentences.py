@@ -255,6 +255,36 @@ def _tangential() -> Entry:
     )
 
 
+def rate_of_p_is_constant() -> bool | None:
+    """Whether the rate of p is α_1 for χ = 0, and so has no variable in it."""
+    rate = ALGEBRA.substitute(ALGEBRA.read(EXTENDED["p"]), {"chi": ALGEBRA.constant(0)})
+    return (rate - _SYMBOLS["alpha1"]).is_zero()
+
+
+def fields_move_p_alike() -> bool | None:
+    """Whether ξ_5 has the rate α_1 in F for χ = 0, and none in G_T and G_N."""
+    fields, algebra = lagrangian.PRINTED["2-extended"], lagrangian.ALGEBRA
+    rates = {letter: algebra.read(fields[f"{letter}5"]) for letter in "FHN"}
+    free = algebra.substitute(rates["F"], {"chi": algebra.constant(0)}) - algebra.symbols["alpha1"]
+    return all(value.is_zero() for value in (free, rates["H"], rates["N"]))
+
+
+def _linear() -> Entry:
+    return settled(
+        SECTION,
+        "2-p-linear",
+        "lines 794 to 795 and 972 to 973",
+        r"p(t)=\alpha_1^*t",
+        "In the motivating example p is p(0) + α_1 t along every motion, in contact or not",
+        Check(Rung.EXACT, "eq. newex1 with χ = 0: the rate of p is α_1, without a variable", rate_of_p_is_constant()),
+        Check(
+            Rung.EXACT,
+            "the fifth components of the printed F, G_T and G_N with χ = 0: α_1, 0 and 0",
+            fields_move_p_alike(),
+        ),
+    )
+
+
 def only_place_has_the_velocity() -> bool | None:
     """Whether ξ_2 enters F_1 = ξ_2 and nothing else."""
     fields = lagrangian.PRINTED["2-extended"]
@@ -341,6 +371,7 @@ ENTRIES: Builders = {
     "2-unilateral": _unilateral,
     "2-contact-condition": _contact_condition,
     "2-tangential": _tangential,
+    "2-p-linear": _linear,
     "2-two-forces": _two_forces,
     "2-contact-part": _contact_part,
     "2-coupling": _coupling,

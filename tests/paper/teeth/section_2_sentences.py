@@ -34,6 +34,13 @@ TEETH: Teeth = {
         Bite("hypothesis", lagrangian.PRINTED["2-extended"], "mu", lambda honest: f"{honest} + x1"),
         NotApplicable("order", _PRESENCE),
     ),
+    "2-p-linear": (
+        Bite("factor", ledger.EXTENDED, "p", replaced("alpha1", "1000003/1000000*alpha1")),
+        Bite("hidden factor", ledger.EXTENDED, "p", unseen_at("b", (0, 1))),
+        Bite("hypothesis", lagrangian.PRINTED["2-extended"], "N5", lambda _: "x6"),
+        Bite("hypothesis", lagrangian.PRINTED["2-extended"], "F5", replaced("chi*x6", "x6")),
+        Bite("order", ledger.EXTENDED, "p", raised("alpha1")),
+    ),
     "2-two-forces": (
         Bite("factor", ledger.EDGES, "lm", scaled),
         Bite("hidden factor", ledger.SHARES, "lp", unseen_at("c", (0, 1))),
