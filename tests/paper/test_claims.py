@@ -2,7 +2,7 @@
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
@@ -45,6 +45,9 @@ RESTRICTIONS = {
     "^The oscillator in positive slip": "positive slip",
     "at most of the sizes": r"at most|O\(|leading order, where",
     "defined for p < 0 too": "p < 0|p = 0 is reached",
+    "analytic functions": "analytic functions",
+    "far from rest": "far from rest",
+    r"C_1, α_2 not 0": "α_2 not 0|mean force|fixed τ",
     r"runs of Figure \d": r"\bruns?\b|start|Figure|[Pp]anel",
     "ansatz": "ansatz",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
@@ -56,6 +59,15 @@ ELSEWHERE = {("3-case-II", 77), ("3-case-II", 366), ("4-unique-smooth", 808), ("
 """Refuted entries with claims in other lines that say the same: an error of one line refutes no other one by itself."""
 BRACKETED = r"(?<!\w)\([^()]*(?:[^\W\d_]{2}|[<>=≠≤≥→])"
 """A bracket with a word or a comparison in it; those of formulas, of panels and of places in a plane have none."""
+PRINTED = {
+    "leading order": r"leading.order|leading-order",
+    "fixed": "fixed",
+    r"constant\b": "constant",
+    "not an integer": r"not an\s+integer",
+    "small": "small",
+    "slow manifold": "slow manifold|slow dynamics|critical manifold|y=2b|2b/p",
+}
+"""Words of a condition, and how the paper's lines say it."""
 UNIVERSAL = r"\b(?:all|every|always|never|any|each|only|none|no other|exactly|for ever|unique|whenever)\b"
 
 
@@ -158,6 +170,20 @@ def test_no_condition_stands_in_brackets() -> None:
 )
 def test_a_condition_in_brackets_is_seen(words: str, condition: bool) -> None:
     assert bool(re.search(BRACKETED, words)) is condition
+
+
+def unprinted(claim: PaperClaim, lines: Sequence[str]) -> list[str]:
+    """The conditions in the words of a claim that no line of the paper has, of the claim or shortly before it."""
+    printed = " ".join(lines[max(claim.first - 30, 0) : claim.last])
+    return [word for word, said in PRINTED.items() if re.search(word, claim.words) and not re.search(said, printed)]
+
+
+def test_a_condition_of_a_claim_that_stands_plainly_proved_is_the_papers(source: list[str]) -> None:
+    plain = [claim for claim in paper_claims() if claim.entries and not claim.why]
+    assert len(plain) > 100
+    assert {claim.first: found for claim in plain if (found := unprinted(claim, source))} == {}
+    roots = next(claim for claim in plain if claim.first == 1107)
+    assert unprinted(replace(roots, words="at a fixed y, at leading order"), source) == ["leading order", "fixed"]
 
 
 def unsaid(claim: PaperClaim, statements: Mapping[str, str]) -> list[str]:
@@ -283,6 +309,7 @@ def test_a_refuted_claim_that_there_is_something_says_among_what(whole_ledger: l
         ("y diverges", "", "runs of Figure 6 other than ν = 1: y diverges", False),
         ("y diverges", "in the runs of Figure 7", "runs of Figure 6 other than ν = 1: y diverges", True),
         ("b on the outer scale", "", "the exponent of the ansatz is β", False),
+        ("it lifts off", "Case III", "In Case III, the contact not far from rest, it lifts off", False),
         ("every state reaches it", "", "the state p = 1 reaches it", False),
         ("every state reaches it", "", "every initial value reaches it", True),
         ("every state reaches it", "", "every initial value reaches it, for constant α's", False),
