@@ -1,8 +1,8 @@
 (** * The theorems
 
     Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v],
-    [StatementStep.v], [StatementCertificate.v] and [StatementChecker.v] is proved here under its own name, from the
-    files named for the steps. *)
+    [StatementStep.v], [StatementCertificate.v], [StatementChecker.v] and [StatementForce.v] is proved here under its
+    own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -15,9 +15,9 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries
   ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CompliantPower CompliantLaw CompliantUpper
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
-  BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns.
+  BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns DipSound.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep
-  ValidatedStep.
+  ValidatedStep StatementForce ForceRuns.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate
   StatementChecker.
 Import ListNotations.
@@ -825,6 +825,18 @@ Proof. exact CheckerRuns.iwc_0_1_checked. Qed.
 
 Theorem zeros_1_2_checked : StatementChecker.zeros_1_2_checked.
 Proof. exact CheckerRuns.zeros_1_2_checked. Qed.
+
+Theorem force_checker : StatementForce.force_checker.
+Proof. exact force_accepted_is_true. Qed.
+
+Theorem force_5_2_checked : StatementForce.force_5_2_checked.
+Proof. exact ForceRuns.force_5_2_checked. Qed.
+
+Theorem lift_off_5_2_checked : StatementForce.lift_off_5_2_checked.
+Proof. exact ForceRuns.lift_off_5_2_checked. Qed.
+
+Theorem zeros_4_5_checked : StatementForce.zeros_4_5_checked.
+Proof. exact ForceRuns.zeros_4_5_checked. Qed.
 
 Theorem slow_zeros_certificate : StatementCertificate.slow_zeros_certificate.
 Proof. exact CertificateSlow.slow_zeros_certificate. Qed.

@@ -9,7 +9,7 @@ own, which is removed, with a copy of the compiled proofs, which must be those o
 A file that has not the format of certificate.md (read by proofs/checker: canonical JSON, numbers, the hash) is refused
 before, so that no text of it can become a command of Coq; so is one with larger numbers than LARGEST,
 or longer than LONGEST.
-The pieces `fold`, `level` and `dip` are not known to the checker in Coq. A number of zeros that rests on a `fold` is
+The pieces that the checker in Coq does not know are in UNKNOWN. A number of zeros that rests on a `fold` is
 compared with the count law instead, by the theorem `count_checker`: the claim is proved, the pieces are not looked at.
 
     python3 proofs/coq/check_in_coq.py CERTIFICATE                check it with the proofs in build/coq
@@ -32,6 +32,7 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 HERE = Path(__file__).resolve().parent
 for folder in (HERE, HERE.parent / "checker"):
@@ -40,12 +41,12 @@ for folder in (HERE, HERE.parent / "checker"):
 if __name__ == "__main__":  # no compiled file of Python is believed either
     sys.dont_write_bytecode, sys.pycache_prefix = True, os.devnull
 
-from certificate_source import HEADER, data, source  # noqa: E402
+from certificate_source import data, head, source  # noqa: E402
 from coq_output import WIDE, axioms_printed  # noqa: E402
 from coq_run import run  # noqa: E402
 from limits import Limits, Rejected, require  # noqa: E402
-from pieces import read_certificate  # noqa: E402
-from reading import entries, one_of, read_range  # noqa: E402
+from pieces import POINTS, read_certificate  # noqa: E402
+from reading import entries, one_of, rational, read_range  # noqa: E402
 from source_rules import LIBRARY  # noqa: E402
 
 BUILD = HERE.parents[1] / "build" / "coq"
@@ -53,8 +54,19 @@ LARGEST = 100
 """Of |beta|, of a number of zeros, of |tau|: the plan and Coq's numbers grow with them."""
 LONGEST = 500_000
 """Bytes of a file: Coq holds each as a term."""
-UNKNOWN = {"sign": {"fold", "level", "dip"}, "zeros": {"level", "dip"}}
+UNKNOWN = {
+    "sign": {"fold", "level", "dip"},
+    "zeros": {"level", "dip"},
+    "force": {*POINTS} - {"left", "sign", "right", "level"},
+    "lift_off": {*POINTS} - {"level"},
+    "slow_zeros": {*POINTS} - {"dip"},
+}
 """By kind of statement: the pieces without which there is no answer."""
+VERSIONS = {"sign": 1, "zeros": 1, "force": 2, "lift_off": 2, "slow_zeros": 3}
+DENOMINATORS = {2: 64, 3: 512}
+"""By version: the largest denominator of an end of beta. Coq computes powers with this exponent."""
+LONGEST_NUMBER = 60
+"""Signs of a number of which such powers are computed: of the system, epsilon, the level, eta."""
 PROOF = """
 From GSpot Require Import Statement StatementCertificate StatementChecker CheckerSound CheckerCounts.
 
@@ -65,13 +77,24 @@ split.
 - intros F HF. apply ({theorem}). vm_compute. reflexivity.
 Qed.
 """
+FORCE_PROOF = """
+From GSpot Require Import StatementForce DipSound.
+
+Theorem given_is_true : is_force_file given_file given /\\ true_force_claim (force_claimed given).
+Proof.
+split.
+- exists "{hash}"%string. vm_compute. reflexivity.
+- apply (force_accepted_is_true given_plans). vm_cast_no_check (eq_refl true).
+Qed.
+"""
 BY_PIECES = "accepted_is_true F given_plans given HF"
 BY_LAW = "counted_is_true F (claimed given) HF"
-AUDIT = (
-    """From Coq Require Import String.
-From GSpot Require Statement StatementCertificate StatementChecker.
+BEGINS = """From Coq Require Import String.
+From GSpot Require {statements}.
 From Given Require given.
 """
+AUDIT = (
+    BEGINS.format(statements="Statement StatementCertificate StatementChecker")
     + WIDE
     + """
 Definition given_is_true : GSpot.StatementChecker.is_file Given.given.given_file Given.given.given
@@ -80,6 +103,18 @@ Definition given_is_true : GSpot.StatementChecker.is_file Given.given.given_file
   := Given.given.given_is_true.
 Eval vm_compute in Given.given.given_file.
 Eval vm_compute in GSpot.CertificateText.claim_text (GSpot.CertificateText.claimed Given.given.given).
+Print Assumptions given_is_true.
+"""
+)
+FORCE_AUDIT = (
+    BEGINS.format(statements="ForceText StatementForce")
+    + WIDE
+    + """
+Definition given_is_true : GSpot.StatementForce.is_force_file Given.given.given_file Given.given.given
+  /\\ GSpot.StatementForce.true_force_claim (GSpot.ForceText.force_claimed Given.given.given)
+  := Given.given.given_is_true.
+Eval vm_compute in Given.given.given_file.
+Eval vm_compute in GSpot.ForceText.force_claim_text (GSpot.ForceText.force_claimed Given.given.given).
 Print Assumptions given_is_true.
 """
 )
@@ -111,11 +146,16 @@ def read(given: bytes) -> str:
     try:
         version, statement, columns = read_certificate(given, Limits())
         kind = statement.get("kind") if isinstance(statement, dict) else None
-        if version != 1 or kind not in UNKNOWN or any(p.kind in UNKNOWN[kind] for c in columns for p in c.pieces):
+        known = isinstance(kind, str) and kind in UNKNOWN and version == VERSIONS[kind]
+        if not known or any(p.kind in UNKNOWN[kind] for c in columns for p in c.pieces):
             raise ValueError("The checker in Coq does not know this kind of statement, or one of its pieces.")
+        ends = [end for column in columns for end in (column.start, column.end)]
+        within(*ends, *[point for column in columns for piece in column.pieces for point in (piece.start, piece.end)])
+        if version != 1:
+            read_force(statement, version, ends)
+            return given.decode()
         beta = read_range(statement.get("beta"), "beta")
-        within(beta.start, beta.end, *[end for column in columns for end in (column.start, column.end)])
-        within(*[point for column in columns for piece in column.pieces for point in (piece.start, piece.end)])
+        within(beta.start, beta.end)
         if kind == "sign":
             tau, _, sign, _ = entries(statement, "the statement", "tau", "beta", "sign", "kind")
             read_range(tau, "tau")
@@ -132,6 +172,36 @@ def read(given: bytes) -> str:
     except (Rejected, ArithmeticError) as error:
         raise ValueError(f"Not a certificate: {error}") from error
     return given.decode()
+
+
+def read_force(statement: dict[str, Any], version: int, ends: list[Any]) -> None:
+    """The statement of a certificate about the contact force, and its columns from ``ends`` of beta, as Coq reads them.
+
+    :raises ValueError: a number is too large, or too long.
+    """
+    kind = statement["kind"]
+    if kind == "slow_zeros":
+        beta, epsilon, eta, _ = entries(statement, "the statement", "beta", "epsilon", "eta", "kind")
+        read, numbers = read_range(beta, "beta"), [epsilon, eta]
+        ends = [*ends, read.start, read.end]
+        within(read.start, read.end)
+    else:
+        alpha, *numbers, tau, _ = entries(statement, "the statement", "alpha", "c1", "epsilon", "level", "tau", "kind")
+        require(isinstance(alpha, list) and len(alpha) == 3, "alpha is not a list of three numbers")
+        numbers += alpha
+        if kind == "force":
+            read_range(tau, "tau")
+        else:
+            within(rational(tau))
+    for number in numbers:
+        rational(number)
+    if max(map(len, numbers)) > LONGEST_NUMBER:
+        raise ValueError(f"Out of range: the checker in Coq reads numbers of up to {LONGEST_NUMBER} signs here.")
+    if not all(math.isfinite(end) for end in ends):
+        raise ValueError("Out of range: the checker in Coq reads bounded ranges of beta about the contact force.")
+    if any(end.denominator > DENOMINATORS[version] for end in ends):
+        most = DENOMINATORS[version]
+        raise ValueError(f"Out of range: the checker in Coq reads ends of beta of denominators up to {most} here.")
 
 
 def has_fold(text: str) -> bool:
@@ -159,7 +229,8 @@ def claim_printed(output: str, text: str) -> tuple[str, str]:
     if first is None or second is None:
         raise RuntimeError(f"What Coq prints is not understood:\n{output:.500}")
     held, claim = (match[1].replace('""', '"') for match in (first, second))
-    if held != text or not text.partition("\n")[0].endswith(f',"statement":{claim},"version":1}}'):
+    header = text.partition("\n")[0]
+    if held != text or not header.endswith(f',"statement":{claim},"version":{json.loads(header)["version"]}}}'):
         raise RuntimeError("Coq was given another text than that of the file.")
     return claim, output[second.end() :]
 
@@ -170,8 +241,9 @@ def proved(text: str, library: dict[str, bytes]) -> str:
     :raises RuntimeError: Coq does not accept it, or what it prints is not understood, or an axiom is not allowed.
     """
     theorem = BY_LAW if has_fold(text) else BY_PIECES
-    end = PROOF.format(hash=text.split("\n")[-2].removeprefix("sha256 "), theorem=theorem)
-    sources = {"given.v": HEADER.format(title="A certificate") + data("given", text) + end, "audit.v": AUDIT}
+    proof, audit = (PROOF, AUDIT) if json.loads(text.partition("\n")[0])["version"] == 1 else (FORCE_PROOF, FORCE_AUDIT)
+    end = proof.format(hash=text.split("\n")[-2].removeprefix("sha256 "), theorem=theorem)
+    sources = {"given.v": head("A certificate", text) + data("given", text) + end, "audit.v": audit}
     with tempfile.TemporaryDirectory(prefix="check_in_coq-") as place:
         folder, proofs = Path(place, "given"), Path(place, "proofs")
         folder.mkdir()

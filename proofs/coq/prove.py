@@ -50,7 +50,13 @@ BUILD = HERE.parents[1] / "build" / "coq"
 RECORD = "record.json"
 PROJECT = "_CoqProject"
 PINS = "statements.txt"
-CERTIFICATES = {"CertificateIWC.v": HERE.parent / "iwc_0_1.cert", "CertificateZeros.v": HERE / "zeros_1_2.cert"}
+CERTIFICATES = {
+    "CertificateIWC.v": HERE.parent / "iwc_0_1.cert",
+    "CertificateZeros.v": HERE / "zeros_1_2.cert",
+    "DataForce.v": HERE.parent / "force_5_2.cert",
+    "DataLiftOff.v": HERE.parent / "lift_off_5_2.cert",
+    "DataSlowZeros.v": HERE.parent / "zeros_4_5.cert",
+}
 """The sources that are written from the bytes of a file (certificate_source.py)."""
 STATED_IN = (
     "Statement",
@@ -60,14 +66,19 @@ STATED_IN = (
     "StatementStep",
     "StatementCertificate",
     "StatementChecker",
+    "StatementForce",
 )
-"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, certificates, a checker."""
-READ = (*STATED_IN, "CertificateText")
+"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, certificates, checkers."""
+READ = (*STATED_IN, "CertificateText", "ForceText")
 """Who wants to know what is proved reads these."""
 BELIEVED = {
     "CheckerCertificate": {"accepts", "counted"},
     "CertificateIWC": {"iwc_0_1", "iwc_0_1_file", "iwc_0_1_plans"},
     "CertificateZeros": {"zeros_1_2", "zeros_1_2_file", "zeros_1_2_plans"},
+    "ForceChecker": {"force_accepts", "force_plan"},
+    "DataForce": {"force_5_2", "force_5_2_file", "force_5_2_plans"},
+    "DataLiftOff": {"lift_off_5_2", "lift_off_5_2_file", "lift_off_5_2_plans"},
+    "DataSlowZeros": {"zeros_4_5", "zeros_4_5_file", "zeros_4_5_plans"},
 }
 """What a statement may name beside: the checkers whose soundness is stated, and the text of files."""
 STATED = re.compile(r"^[ ]*Definition (\w+) : Prop :=", re.MULTILINE)

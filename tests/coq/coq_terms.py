@@ -24,6 +24,7 @@ STATEMENTS = [
         "StatementStep",
         "StatementCertificate",
         "StatementChecker",
+        "StatementForce",
     )
 ]
 """In the order in which each one uses those before it."""

@@ -1,4 +1,4 @@
-"""proofs/coq/check_in_coq.py (proofs/check.md, section 7): the data that it writes; in the long run Coq's answer."""
+"""proofs/coq/check_in_coq.py (proofs/check.md, sections 7, 8): the data it writes; in the long run Coq's answer."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
@@ -21,6 +22,14 @@ from must_reject import mutate
 COQ = Path(__file__).resolve().parents[2] / "proofs" / "coq"
 IWC, ZEROS = COQ.parent / "iwc_0_1.cert", COQ / "zeros_1_2.cert"
 FOLDS = COQ.parent / "zeros_1_13.cert"
+FORCE, LIFT_OFF, DIPS = (COQ.parent / f"{name}.cert" for name in ("force_5_2", "lift_off_5_2", "zeros_4_5"))
+DATA = {
+    IWC: "CertificateIWC.v",
+    ZEROS: "CertificateZeros.v",
+    FORCE: "DataForce.v",
+    LIFT_OFF: "DataLiftOff.v",
+    DIPS: "DataSlowZeros.v",
+}
 
 
 @pytest.fixture
@@ -35,7 +44,7 @@ def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     return module
 
 
-@pytest.mark.parametrize(("file", "data"), [(IWC, "CertificateIWC.v"), (ZEROS, "CertificateZeros.v")])
+@pytest.mark.parametrize(("file", "data"), DATA.items(), ids=DATA.values())
 def test_the_data_of_the_development_are_those_of_the_files(script: ModuleType, file: Path, data: str) -> None:
     written = script.source(file.stem, file.read_text(encoding="utf-8"))
     assert (COQ / data).read_text(encoding="utf-8") == written
@@ -63,10 +72,23 @@ def test_numbers_and_pieces_as_terms(script: ModuleType) -> None:
     assert script.claim({"beta": "(1, 2)", "counts": [[1, 1]], "kind": "zeros"}).endswith("[(1, 1)%nat]")
 
 
-def test_a_certificate_is_read(script: ModuleType) -> None:
-    assert [script.read(file.read_bytes()) for file in (IWC, ZEROS)] == [
-        file.read_text("utf-8") for file in (IWC, ZEROS)
-    ]
+def test_pieces_and_powers_of_the_force_as_terms(script: ModuleType) -> None:
+    script = script.beside(COQ / "certificate_source.py")
+    assert script.part(["level", "-1/8", "1/8"]) == "Level ((-1) # 8) (1 # 8)"
+    assert script.part(["left", "-1"]) == "Known (Left ((-1) # 1))"
+    dip = {"beta": ["4", "129/32"], "pieces": [["dip", "147/64", "189/64"]]}
+    numbers = [Fraction(*map(int, pair)) for pair in re.findall(r"\((\d+) # (\d+)\)", script.powers(dip))]
+    below, longest, above, shortest = numbers
+    assert shortest <= 2 <= Fraction(65, 32) <= longest
+    assert below**8 < Fraction(7, 9) ** int(longest * 8) < Fraction(7, 9) ** int(shortest * 8) < above**8
+    assert above - below < Fraction(1, 10)
+    no_dip = {"beta": ["1", "2"], "pieces": [["dip", "-1", "0"]]}
+    assert [script.powers(no_dip), script.powers(no_dip | {"pieces": []})] == ["0 0 0 0", "0 0 0 0"]
+
+
+@pytest.mark.parametrize("file", DATA, ids=DATA.values())
+def test_a_certificate_is_read(script: ModuleType, file: Path) -> None:
+    assert script.read(file.read_bytes()) == file.read_text("utf-8")
 
 
 @pytest.mark.parametrize("arguments", [[], ["one", "two"], ["/no/such/file"], [str(COQ)]])
@@ -85,12 +107,6 @@ def test_without_the_compiled_proofs_nothing_is_said_to_be_proved(
     assert capsys.readouterr().out.startswith("Not run")
 
 
-@pytest.mark.parametrize("name", ["force_5_2", "lift_off_5_2", "zeros_4_5"])
-def test_other_kinds_and_pieces_are_not_known(script: ModuleType, name: str) -> None:
-    with pytest.raises(ValueError, match="does not know"):
-        script.read((COQ.parent / f"{name}.cert").read_bytes())
-
-
 def test_a_fold_is_known_for_a_number_of_zeros_only(script: ModuleType) -> None:
     """The count law answers; a sign needs the piece."""
     folds = FOLDS.read_bytes()
@@ -107,6 +123,24 @@ def changed(file: Path, before: str, after: str) -> bytes:
     return body + b"sha256 " + sha256(body).hexdigest().encode() + b"\n"
 
 
+NOT_KNOWN = {
+    "brackets": changed(ZEROS, '"kind":"zeros"', '"kind":"brackets"'),
+    "a kind that is a list": changed(IWC, '"kind":"sign"', '"kind":["sign"]'),
+    "a level for a sign": changed(IWC, '["taylor"]', '["level","0","1"]'),
+    "a force of the zeros": changed(DIPS, '"kind":"slow_zeros"', '"kind":"force"'),
+    "monotone for the force": changed(FORCE, '["level","1/8","3/8"]', '["monotone","1/8","3/8",1]'),
+    "a dip for the force": changed(FORCE, '["level","1/8","3/8"]', '["dip","1/8","3/8"]'),
+    "a sign for the lift-off": changed(LIFT_OFF, '"level","5537/1000","6537/1000"', '"sign","5537/1000","6537/1000",1'),
+    "a level for the zeros": changed(DIPS, '["dip","35/16","45/16"]', '["level","35/16","45/16"]'),
+}
+
+
+@pytest.mark.parametrize("data", NOT_KNOWN.values(), ids=list(NOT_KNOWN))
+def test_other_kinds_and_pieces_are_not_known(script: ModuleType, data: bytes) -> None:
+    with pytest.raises(ValueError, match="does not know"):
+        script.read(data)
+
+
 COMMAND = '1, 1)%nat]) []. Axiom cheat : forall A : Prop, A. Tactic Notation "reflexivity" := apply cheat. (*'
 NOT_OF_THE_FORMAT = {
     "a command in place of a number": changed(ZEROS, "[[1,1]]", f"[[{json.dumps(COMMAND)},1]]"),
@@ -121,6 +155,13 @@ NOT_OF_THE_FORMAT = {
     "one key more": changed(IWC, '"sign":-1', '"note":"","sign":-1'),
     "other line ends": IWC.read_bytes().replace(b"\n", b"\r\n"),
     "nothing": b"",
+    "two numbers of the system": changed(FORCE, '["-1","-1","-5/2"]', '["-1","-5/2"]'),
+    "a command in a level": changed(FORCE, '"5892556509887/10000000000000"', '"1. Abort. Goal True"'),
+    "a command in the system": changed(LIFT_OFF, '"c1":"1"', '"c1":"1) 1 1). Abort. Goal True"'),
+    "a range in place of a point": changed(LIFT_OFF, '"tau":"5537/1000"', '"tau":"(-inf, inf)"'),
+    "a point in place of a range": changed(FORCE, '"tau":"(-inf, inf)"', '"tau":"1"'),
+    "no epsilon": changed(DIPS, '"epsilon":"10",', ""),
+    "an eta that is no number": changed(DIPS, '"eta":"3672145385/2147483648"', '"eta":"2/4"'),
 }
 
 
@@ -136,6 +177,12 @@ OUT_OF_RANGE = {
     "a column": changed(IWC, '"beta":["3/4","1"]', '"beta":["300000000","300000001"]'),
     "a point": changed(IWC, '["left","-81/64"]', '["left","-300000000"]'),
     "a long file": b"x" * 600_000,
+    "a time of a lift-off": changed(LIFT_OFF, '"tau":"5537/1000"', '"tau":"5537"'),
+    "a range of the zeros": changed(DIPS, '"beta":"(4, 5)"', '"beta":"(4, 500)"'),
+    "an unbounded range of the zeros": changed(DIPS, '"beta":"(4, 5)"', '"beta":"(4, inf)"'),
+    "a level of many digits": changed(FORCE, '"5892556509887/10000000000000"', f'"{"1" * 61}"'),
+    "a denominator of the force": changed(FORCE, '["5/2","5/2"]', '["163/65","163/65"]'),
+    "a denominator of the zeros": changed(DIPS, '["4","129/32"]', '["4","2068/513"]'),
 }
 
 
@@ -296,6 +343,48 @@ def test_coq_accepts_the_counts_of_the_law_and_no_other(
     assert capsys.readouterr().out.startswith('Proved in Coq by the count law, without the pieces: {"beta":"(1, 13)",')
     (tmp_path / "wrong.cert").write_bytes(changed(FOLDS, "[2,2]", "[2,1]"))
     assert script.main([str(tmp_path / "wrong.cert")]) == 1
+    assert "Proved" not in capsys.readouterr().out
+
+
+WRONG = {
+    FORCE: (
+        ('"5892556509887/10000000000000"', '"1/2"'),
+        ('"5892556509887/10000000000000"', '"3/5"'),
+        ('"epsilon":"4/5"', '"epsilon":"9/10"'),
+        ('"c1":"-1"', '"c1":"1"'),
+        ('["-1","-1","-5/2"]', '["-1","-1","-9/4"]'),
+        ('["level","-1/8","1/8"],', ""),
+        (',["right","2",0]', ""),
+    ),
+    LIFT_OFF: (
+        ('"4714045207911/10000000000"', '"473"'),
+        ('"epsilon":"1/1000"', '"epsilon":"1/1001"'),
+        ('"tau":"5537/1000"', '"tau":"5"'),
+        ('["5/2","5/2"]', '["9/4","9/4"]'),
+    ),
+    DIPS: (
+        ('"eta":"3672145385/2147483648"', '"eta":"17/10"'),
+        ('{"beta":["4","129/32"],"pieces":[["dip","147/64","189/64"]]}\n', ""),
+        ('{"beta":["4","129/32"],"pieces":[["dip","147/64"', '{"beta":["4","129/32"],"pieces":[["dip","7/64"'),
+    ),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: the checker in Coq is not run")
+@pytest.mark.parametrize("file", WRONG, ids=["force", "lift_off", "slow_zeros"])
+def test_coq_accepts_a_certificate_about_the_force_and_no_wrong_one(
+    script: ModuleType, file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if not compiled_here(script):
+        pytest.skip("the proofs are not compiled here: make prove")
+    assert script.main([str(file)]) == 0
+    statement = json.loads(file.read_text("utf-8").split("\n")[0])["statement"]
+    said = capsys.readouterr().out
+    assert said == f"Proved in Coq: {json.dumps(statement, sort_keys=True, separators=(',', ':'))}\n"
+    for before, after in WRONG[file]:
+        (tmp_path / "wrong.cert").write_bytes(changed(file, before, after))
+        assert script.main([str(tmp_path / "wrong.cert")]) == 1, json.dumps(after)
     assert "Proved" not in capsys.readouterr().out
 
 
