@@ -166,6 +166,15 @@ def test_bad_input(state: Any, over: Any, error: type[Exception], text: str) -> 
         fates(family(), state, over)
 
 
+def test_of_several_solutions_of_the_contact_none_is_taken_in_silence() -> None:
+    """y = Y - l sin(theta) = 0 holds for theta and for pi - theta: slip from there ends elsewhere."""
+    rod = shipped_mechanism("rod with a wrist")
+    with pytest.raises(StateError, match="may have several solutions in theta and theta_dot"):
+        fates(rod, {"X": 0, "X_dot": 5, "Y_dot": 2}, {"Y": "0.71..0.7101"})
+    with pytest.raises(StateError, match="may have several solutions in theta and Y_dot"):
+        fates(rod, {"X": 0, "X_dot": 5, "theta_dot": 3}, {"Y": "0.71..0.7101"})
+
+
 def test_a_flow_that_is_not_planar_is_refused() -> None:
     with pytest.raises(MechanismError, match="two components"):
         fates(shipped_mechanism("frictional impact oscillator"), {"phi": 0}, {"phi_dot": "-1..-1/2"})
