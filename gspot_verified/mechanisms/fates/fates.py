@@ -47,7 +47,8 @@ def fates(
     number (left out: that at the mechanism's place).
 
     Proved of each piece, for every state in it: slip reaches a G-spot, with C_1 < 0 or C_1 > 0 or a sign that is open;
-    or it lifts off, or slip stops, first; or there is no positive slip in contact to begin with. The rest is undecided.
+    or it lifts off, or slip stops, first; or at the start slip is not positive, the contact opens at once, or p < 0
+    (nothing more is said there). The rest is undecided.
     Blocks of cells are divided until they have one fate or are cells; ``budget`` open cells (and parts) are divided
     again. ``journal``, ``executor``, ``progress``: as for :func:`sweep`.
 

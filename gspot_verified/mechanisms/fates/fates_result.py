@@ -26,7 +26,7 @@ _WORDS = {
     Fate.LIFT_OFF: "lift-off before any G-spot",
     Fate.STOPS: "slip stops before any G-spot (then stick, or slip the other way)",
     Fate.OPENS: "no slip in contact: p > 0 and b > 0, the contact opens at once",
-    Fate.PAINLEVE: "no slip in contact: p < 0 (Painlevé's paradox)",
+    Fate.PAINLEVE: "p < 0 at the start (Painlevé's paradox): nothing more is said",
     Fate.NO_SLIP: "no positive slip at the start",
     Fate.UNDECIDED: "undecided",
 }
@@ -111,7 +111,8 @@ class Fates(NoTruthValue, Written):
         if self.sides.why:
             lines.append(f"  no side for small epsilon: {self.sides.why}")
         else:
-            lines.append("  sides rest on proofs/papers_rule.md, Theorem R; epsilon_0, one a state, is not computed")
+            rest = "sides rest on proofs/papers_rule.md, Theorem R, for starts at rest in the contact"
+            lines.append(f"  {rest}; epsilon_0, one for each state, is not computed")
         return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
 
     def to_csv(self) -> str:

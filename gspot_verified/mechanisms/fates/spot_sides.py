@@ -26,7 +26,8 @@ from gspot_verified.numbers.written import Written
 class SpotSides(NoTruthValue, Written):
     """The G-spot's Case and beta, and what follows C_1 < 0 and C_1 > 0 there: "lift-off" or "impact" (without
     collision), for every epsilon below some epsilon_0 > 0 that belongs to the start and is not computed; None: open,
-    ``why`` says what is missing."""
+    ``why`` says what is missing. The start is at rest in the contact: v = 0, lambda_N = -b/p, y = -epsilon^2
+    lambda_N/kappa, or next to it as Theorem R says."""
 
     ask: ClassVar[str] = ".below and .above are the sides by the sign of C_1"
     written: ClassVar[str] = "case beta below above why"

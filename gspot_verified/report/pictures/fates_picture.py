@@ -44,7 +44,7 @@ _LABELS = {
     Fate.LIFT_OFF: "lift-off before",
     Fate.STOPS: "slip stops before",
     Fate.OPENS: "b > 0: opens at once",
-    Fate.PAINLEVE: "p < 0: no slip in contact",
+    Fate.PAINLEVE: "p < 0: nothing more is said",
     Fate.NO_SLIP: "no positive slip",
     Fate.UNDECIDED: "undecided",
 }
