@@ -12,10 +12,8 @@ from pathlib import Path
 import pytest
 from must_reject import runs
 
-from gspot_verified.mechanisms.load import load
 from gspot_verified.scenes.certificates.bounded_step import NotBounded
 from gspot_verified.scenes.certificates.mechanism_writer import MechanismEquations, MechanismPhase
-from gspot_verified.scenes.certificates.polynomial_mechanism import NotPolynomial, PolynomialMechanism
 from gspot_verified.scenes.certificates.run_certificate import certified_with_steps
 from gspot_verified.scenes.certified_run import certified_run
 from gspot_verified.scenes.scene.file import load_scene
@@ -106,18 +104,3 @@ def test_a_slip_that_turns_at_once_has_no_certificate() -> None:
     phase = MechanismPhase(MechanismEquations(load_scene("rod")), "slip")
     with pytest.raises(NotBounded, match="do not cover slip backwards right after slip"):
         phase.event("slip backwards")
-
-
-@pytest.mark.parametrize(
-    ("name", "why"),
-    [
-        ("stribeck_rod", "need a friction coefficient that is a number"),
-        ("ellipse", "need x, not a slip velocity"),
-        ("rod_on_a_shaken_base", "without constraints and time"),
-        ("double_pendulum", "more than one coordinate"),
-        ("model_system", "with a mass matrix and forces"),
-    ],
-)
-def test_mechanisms_without_certificates(name: str, why: str) -> None:
-    with pytest.raises(NotPolynomial, match=why):
-        PolynomialMechanism(load(name))
