@@ -139,12 +139,12 @@ def simulators(
     """
     functions = contact_floats(mechanism)
     tables = [(str(file), read_motion(file, functions)) for file in files]
-    lengths = [_step(step) for step in steps]
+    small, lengths = [_epsilon(value) for value in epsilons], [_step(step) for step in steps]
     certified = approach(mechanism, state, surface_velocity=surface_velocity, spot=spot)
     judge = _Judge(mechanism, functions, certified, surface_velocity)
     for name, table in tables:
         judge.check_start(name, table)
-    runs = [judge.run(*case) for case in judge.simulations(epsilons, lengths)]
+    runs = [judge.run(*case) for case in judge.simulations(small, lengths)]
     others = installed(programs) if lengths else Installed((), ())
     model, why = judge.model() if others != Installed((), ()) else (None, "")
     notes = [*others.missing, *(f"{each.name}: {each.differs}" for each in others.found)]
@@ -191,11 +191,11 @@ class _Judge:
         self.start = [value + angle for value, angle in zip(shifted, functions.references, strict=True)]
 
     def simulations(
-        self, epsilons: Sequence[ExactInput], steps: Sequence[float]
+        self, epsilons: Sequence[float], steps: Sequence[float]
     ) -> Iterator[tuple[str, str, Callable[[], Simulated]]]:
         """Name, settings, and the run that is still to be made."""
         functions, start, until = self.functions, self.start, _LATER * self.time
-        for epsilon in map(_epsilon, epsilons):
+        for epsilon in epsilons:
             yield "compliant contact, LSODA", f"ε = {epsilon:g}", partial(
                 penalty, self.mechanism, functions, start,
                 epsilon=epsilon, until=until, surface_velocity=self.velocity,
