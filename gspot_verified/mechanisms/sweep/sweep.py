@@ -12,7 +12,6 @@ from pathlib import Path
 
 from flint import arb, fmpq
 
-from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.formulas.simplify import rational_value
 from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational, require_mechanism
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem, parametric_system
@@ -84,19 +83,19 @@ in the brackets where one quantity passes zero or the spot vanishes
     with working_bits(BITS):
         point = [_ball(value) for value in first.system.point]
     system = parametric_system(mechanism, names, first.fixed)
-    conditions = BoxProgram(system.conditions, system.dimension + len(names))
-    work = portions(cells(conditions, question.grid, place, point))
+    work = portions(cells(question.conditions(), question.grid, place, point))
     workers = executor or InProcessExecutor()
     count = len(question.grid)
     patchwork = Patchwork(question.grid)
-    done = 0
+    number = done = 0
     with open_journal(journal, question, place, first.to_json()) as kept:
         for answer in results(question, work, workers, kept):
             patchwork.add_cells(answer.pieces, answer.groups)
+            number += 1
             done += len(answer.pieces)
             if progress is not None:
                 progress(done, count)
-        number, left = len(work), budget
+        left = budget
         while True:
             own = _own(question, patchwork, place, point)
             with working_bits(BITS):
@@ -107,12 +106,12 @@ in the brackets where one quantity passes zero or the spot vanishes
             parts = portions([cell for _, cell in chosen])
             numbers = (divided for divided, _ in chosen)
             for answer in results(question, parts, workers, kept, number):
+                number += 1
                 for its_parts, groups in answer.by_cell():
                     patchwork.replace(next(numbers), its_parts, groups)
                     left -= 1
                     if progress is not None:
                         progress(count + budget - left, count + known)
-            number += len(parts)
     return _assembled(question, system, place, first.to_json(), patchwork, own, budget if waiting else None)
 
 

@@ -6,8 +6,8 @@ import itertools
 import math
 from array import array
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass, replace
 from typing import Any, overload
 
 from flint import arb, arb_mat, fmpq
@@ -22,6 +22,7 @@ from gspot_verified.work.ranges import Range
 
 _BITS = 64  # working precision of a search that proves nothing
 _STEPS = 6  # of Newton's method from a neighbour's spot: further away it may end at another spot
+_MOST_PLACES = {1: 2_048, 2: 64}  # that are followed on each axis, by the number of ranges: any number is correct
 _SMALL = 1e-6  # relative size of the last step: the tube finds the rest
 
 DEFAULT_CELLS = {1: 64, 2: 32}  # on each axis, by the number of ranges
@@ -58,6 +59,10 @@ class Grid:
 
     def __len__(self) -> int:
         return math.prod(axis.cells for axis in self.axes)
+
+    def coarser(self, most: int) -> Grid:
+        """The same ranges with at most so many cells on each axis."""
+        return Grid(tuple(replace(axis, cells=min(axis.cells, most)) for axis in self.axes))
 
     def indices(self) -> list[Index]:
         """All cells, in order."""
@@ -141,15 +146,16 @@ def _ends(name: str, given: Any) -> tuple[fmpq, fmpq, int | None]:
 class GridCells(Sequence[Cell]):
     """Cells of a grid, each made when it is asked for: of a place near which to look its numbers are kept as doubles.
 
-    ``start`` is the number of the first; ``near`` has for each the number of the cell whose place that is, and the
-    centre and slopes there, or nothing.
+    ``near`` has for each cell of ``places``, by its number, the number of the cell whose place that is, and the centre
+    and slopes there, or nothing; ``ends`` those next to which there is none. ``numbers`` are those of the cells. It
+    pickles, with the places of its cells alone.
     """
 
-    def __init__(self, grid: Grid, start: int, near: Sequence[Near]) -> None:
-        self._grid, self._start, self._near = grid, start, near
+    def __init__(self, grid: Grid, places: Grid, near: Mapping[int, Near], ends: Set[int], numbers: range) -> None:
+        self._grid, self._places, self._near, self._ends, self._numbers = grid, places, near, ends, numbers
 
     def __len__(self) -> int:
-        return len(self._near)
+        return len(self._numbers)
 
     @overload
     def __getitem__(self, index: int) -> Cell: ...
@@ -157,35 +163,74 @@ class GridCells(Sequence[Cell]):
     def __getitem__(self, index: slice) -> GridCells: ...
     def __getitem__(self, index: int | slice) -> Cell | GridCells:
         if isinstance(index, slice):
-            start, end, _ = index.indices(len(self))
-            return GridCells(self._grid, self._start + start, self._near[start:end])
-        own = range(len(self))[index]
-        return Cell(*self._grid.ends(self._grid.index(self._start + own)), self._origin(self._near[own]))
+            return GridCells(self._grid, self._places, self._near, self._ends, self._numbers[index])
+        own = self._grid.index(self._numbers[index])
+        return Cell(*self._grid.ends(own), self._origin(self._near[self._place(own)]))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        own = {self._place(self._grid.index(number)) for number in self._numbers}
+        near = {number: self._near[number] for number in sorted(own)}
+        return GridCells, (self._grid, self._places, near, self._ends & own, self._numbers)
+
+    def located(self, program: BoxProgram) -> Iterator[Cell]:
+        """The cells, where there are fewer places than cells and the spot may end each with a place of its own, by
+        Newton's method from the one that is kept, or with that of a neighbour; without one where none is found."""
+        for number, cell in zip(self._numbers, self, strict=True):
+            index = self._grid.index(number)
+            sought = self._places != self._grid and cell.origin is not None and self._place(index) in self._ends
+            yield replace(cell, origin=self._found(program, index, cell.origin)) if sought and cell.origin else cell
+
+    def _found(self, program: BoxProgram, index: Index, near: Origin) -> Origin | None:
+        for other in (index, *self._grid.neighbours(index)):
+            middle = self._grid.middle(other)
+            with working_bits(_BITS):
+                predicted = near.predicted(middle)
+                jump = max(
+                    abs(approximate(new) - approximate(old)) for new, old in zip(predicted, near.centre, strict=True)
+                )
+                found = newton_origin(program, middle, predicted, jump + _SMALL)
+            if found is not None:
+                return found
+        return None
+
+    def _place(self, index: Index) -> int:
+        """The number of the cell of ``places`` that holds the middle of a cell."""
+        axes = zip(index, self._grid.axes, self._places.axes, strict=True)
+        return self._places.number(tuple((2 * i + 1) * few.cells // (2 * many.cells) for i, many, few in axes))
 
     def _origin(self, near: Near) -> Origin | None:
         if near is None or isinstance(near, Origin):
             return near
         number, values = near
         exact = [fmpq(*value.as_integer_ratio()) for value in array("d", values)]
-        k = len(self._grid.axes)
+        k = len(self._places.axes)
         n = len(exact) // (1 + k)
         rows = tuple(tuple(exact[n + i * k : n + (i + 1) * k]) for i in range(n))
-        return Origin(self._grid.middle(self._grid.index(number)), tuple(exact[:n]), rows)
+        return Origin(self._places.middle(self._places.index(number)), tuple(exact[:n]), rows)
 
 
 def cells(program: BoxProgram, grid: Grid, place: Sequence[fmpq], spot: Sequence[arb]) -> GridCells:
     """All cells with a place near which to look; ``program`` gives the conditions, ``spot`` is known at ``place``.
 
-    A cell without a spot of its own looks from a neighbour's.
+    A cell without a spot of its own looks from a neighbour's. Of a large grid only so many places are followed that
+    neither time nor memory grow with it: cells look from the one that is next.
     """
+    places = grid.coarser(_MOST_PLACES[len(grid.axes)])
     with working_bits(_BITS):
-        origins = _followed(program, grid, place, spot)
-    near = [
-        origins[number]
-        or next((own for other in grid.neighbours(grid.index(number)) if (own := origins[grid.number(other)])), None)
-        for number in range(len(grid))
-    ]
-    return GridCells(grid, 0, near)
+        origins = _followed(program, places, place, spot)
+    near = {
+        number: origins[number]
+        or next(
+            (own for other in places.neighbours(places.index(number)) if (own := origins[places.number(other)])), None
+        )
+        for number in range(len(places))
+    }
+    ends = {
+        number
+        for number, index in enumerate(places.indices())
+        if not all(origins[places.number(other)] for other in (index, *places.neighbours(index)))
+    }
+    return GridCells(grid, places, near, ends, range(len(grid)))
 
 
 @dataclass(frozen=True, slots=True)

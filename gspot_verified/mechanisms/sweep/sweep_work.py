@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, fields
@@ -18,11 +18,12 @@ from itertools import zip_longest
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.parametric_system import parametric_system
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS, Cell, Examination
 from gspot_verified.mechanisms.sweep.sweep_findings import equations
-from gspot_verified.mechanisms.sweep.sweep_grid import Grid
+from gspot_verified.mechanisms.sweep.sweep_grid import Grid, GridCells
 from gspot_verified.mechanisms.sweep.sweep_links import groups_in_a_row
 from gspot_verified.mechanisms.sweep.sweep_piece import SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, read_choice
@@ -71,6 +72,10 @@ class Question:
         """The conditions and quantities, compiled once in each process."""
         return compiled(self.mechanism, self.parameters, self.fixed)
 
+    def conditions(self) -> BoxProgram:
+        """The conditions alone, in the same way."""
+        return conditions(self.mechanism, self.parameters, self.fixed)
+
 
 def whole_text(mechanism: Mechanism) -> str:
     """All that the mechanism is, as text, without its drawing; its own ``repr`` is short."""
@@ -84,9 +89,16 @@ def compiled(mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[str
     return equations(parametric_system(mechanism, parameters, fixed))
 
 
-def portions(cells: Sequence[Cell]) -> list[Sequence[Cell]]:
+@lru_cache(maxsize=4)
+def conditions(mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[str, ...]) -> BoxProgram:
+    """The conditions alone, for searches that prove nothing."""
+    system = parametric_system(mechanism, parameters, fixed)
+    return BoxProgram(system.conditions, system.dimension + len(parameters))
+
+
+def portions(cells: Sequence[Cell]) -> Iterator[Sequence[Cell]]:
     """The cells in runs of a fixed length."""
-    return [cells[i : i + _PORTION] for i in range(0, len(cells), _PORTION)]
+    return (cells[i : i + _PORTION] for i in range(0, len(cells), _PORTION))
 
 
 class Answer(NamedTuple):
@@ -113,7 +125,8 @@ def examine(question: Question, cells: Sequence[Cell], known: Choices | None = N
     do its arguments and its answer. ``kept``: with what a journal keeps."""
     examination = Examination(question.equations(), question.digits)
     pieces, choices = [], []
-    for cell, tubes in zip_longest(cells, (known or [])[: len(cells)], fillvalue=None):
+    made = cells.located(question.conditions()) if isinstance(cells, GridCells) else cells
+    for cell, tubes in zip_longest(made, (known or [])[: len(cells)], fillvalue=None):
         assert cell is not None
         pieces.append(examination.pieces(cell, tubes or ()))
         choices.append(examination.kept_tubes.met)
@@ -137,7 +150,7 @@ def digest(pieces: Pieces) -> str:
 
 
 def results(
-    question: Question, work: Sequence[Sequence[Cell]], executor: Executor, journal: JournalFile | None, first: int = 0
+    question: Question, work: Iterable[Sequence[Cell]], executor: Executor, journal: JournalFile | None, first: int = 0
 ) -> Iterator[Answer]:
     """The answers of the portions, in order; those that the journal holds are proved again along its choices.
 

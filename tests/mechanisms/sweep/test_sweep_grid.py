@@ -5,10 +5,14 @@ Page: proofs/sweep.md, section 5.
 
 from __future__ import annotations
 
+import pickle
+
+import pytest
 from flint import arb, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Constant, Variable
+from gspot_verified.mechanisms.sweep import sweep_grid
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid, cells
 
 LINE = Grid((Axis("k", fmpq(-1), fmpq(2), 6),))
@@ -58,3 +62,33 @@ def test_every_cell_has_a_place_near_which_to_look_up_to_where_the_spot_ends() -
 def test_where_nothing_is_found_at_the_start_no_cell_has_a_place() -> None:
     program = BoxProgram([Variable(0) * Variable(0) + Constant(fmpq(1)) + Variable(1) * Variable(1)], 2)
     assert all(cell.origin is None for cell in cells(program, LINE, [fmpq(1)], [arb(1)]))
+
+
+def test_of_a_large_grid_few_places_are_followed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """x^2 = k from x = 1 at k = 1, three places for 24 cells: where the spot may end each cell looks for its own."""
+    monkeypatch.setattr(sweep_grid, "_MOST_PLACES", {1: 3})
+    program = BoxProgram([Variable(0) * Variable(0) - Variable(1)], 2)
+    fine = Grid((Axis("k", fmpq(-1), fmpq(2), 24),))
+    found = cells(program, fine, [fmpq(1)], [arb(1)])
+    assert [(cell.lower, cell.upper) for cell in found] == [fine.ends(index) for index in fine.indices()]
+    assert {cell.origin.place for cell in found if cell.origin} == {(fmpq(1, 2),), (fmpq(3, 2),)}
+    sent = pickle.loads(pickle.dumps(found[4:20]))
+    for part in (found[4:20], sent):
+        located = list(part.located(program))
+        assert [cell.lower for cell in located] == [fine.ends((k,))[0] for k in range(4, 20)]
+        assert [cell.origin is not None for cell in located] == [False] * 3 + [True] * 13
+        for cell in located[4:12]:  # beside the place without a spot
+            assert cell.origin is not None
+            ((middle,), (centre,)) = cell.origin.place, cell.origin.centre
+            assert cell.lower[0] < middle < cell.upper[0]
+            assert abs(centre * centre - middle) < fmpq(1, 10**6)
+        assert located[12].origin == located[15].origin == found[20].origin
+    assert list(found[20:].located(program)) == list(found[20:])
+
+
+def test_a_portion_is_sent_with_its_own_places() -> None:
+    program = BoxProgram([Variable(0) * Variable(0) - Variable(1)], 2)
+    long = Grid((Axis("k", fmpq(1), fmpq(2), 1_000),))
+    found = cells(program, long, [fmpq(1)], [arb(1)])
+    assert len(pickle.dumps(found[:10])) < 2_000
+    assert list(pickle.loads(pickle.dumps(found[5:9]))) == list(found)[5:9]

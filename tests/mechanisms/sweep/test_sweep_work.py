@@ -33,13 +33,13 @@ from gspot_verified.work.executors import InProcessExecutor
 
 QUESTION = Question(family("q - k", "0"), Grid((Axis("k", fmpq(-1), fmpq(1), 70),)), ("x", "u"), 8)
 CELLS = [Cell(*QUESTION.grid.ends(index), None) for index in QUESTION.grid.indices()]
-WORK = portions(CELLS)
+WORK = list(portions(CELLS))
 
 
 def test_portions_hold_every_cell_in_order() -> None:
     assert [len(portion) for portion in WORK] == [32, 32, 6]
     assert [cell for portion in WORK for cell in portion] == CELLS
-    assert portions([]) == []
+    assert list(portions([])) == []
     assert QUESTION.parameters == ("k",)
 
 
