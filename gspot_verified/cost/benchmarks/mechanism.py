@@ -15,13 +15,12 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from gspot_verified.cost.benchmarks.force import forget
+from gspot_verified.cost.benchmarks.mechanism_states import state_rows
 from gspot_verified.cost.benchmarks.mechanism_sweep import sweep_rows
 from gspot_verified.cost.times.benchmark import Benchmark
 from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import Contestant, child_environment, machine_load, measure
 from gspot_verified.cost.times.rows import Row, Target
-from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism
@@ -81,38 +80,6 @@ def _coupling(links: int, i: int, j: int) -> Fraction:
     return (Fraction(1, 3) if i == j else Fraction(1, 2)) + after
 
 
-CASES = (
-    ("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}),
-    ("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-1/2"}),
-    ("extended", {"x": "0", "u": "3", "p": "1/4", "b": "-1/2"}),
-    ("rod", {"X": "0", "X_dot": "2", "theta": "theta_ref - 1/20", "theta_dot": "1/2"}),
-)
-_SECONDS = 3.0  # the target for one path
-
-
-def approach_rows(progress: Callable[[str], None] = lambda _: None) -> list[Row]:
-    """One row for each start: processor time of everything, from the mechanism to the side."""
-    rows = []
-    for name, state in CASES:
-        text = ", ".join(f"{word} = {value}" for word, value in state.items())
-        progress(f"approach of {name} from {text}")
-        forget()
-        start = time.process_time()
-        result = approach(shipped_mechanism(name), state)
-        figure = time.process_time() - start
-        rows.append(
-            Row(
-                "approach",
-                f"{result.name}, {text}",
-                Target("processor time", _SECONDS, "s"),
-                figure,
-                cold=figure,
-                note=f"{result.end}, {result.side}, {result.bits} bits",
-            )
-        )
-    return rows
-
-
 Progress = Callable[[str], None]
 
 _HEAD = (
@@ -129,7 +96,7 @@ def run(full: bool = False, progress: Progress = lambda _: None) -> Benchmark:
     rows = []
     for family in (_searches, _critical, _chains, _commands):
         rows += family(full, repeats, progress)
-    rows += approach_rows(progress)
+    rows += state_rows(full, progress)
     rows += sweep_rows(full, progress)
     points = tuple((links, _time(partial(leg, links), repeats)) for links in (2, 3, 4))
     remarks = (
