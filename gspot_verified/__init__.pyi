@@ -56,6 +56,8 @@ from gspot_verified.mechanisms.spots.classify_all import classify_all as classif
 from gspot_verified.mechanisms.spots.critical_friction import critical_friction as critical_friction
 from gspot_verified.mechanisms.sweep.sweep import sweep as sweep
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep as Sweep
+from gspot_verified.mechanisms.table.approach_table import approach_table as approach_table
+from gspot_verified.mechanisms.table.approached_row import ApproachedRow as ApproachedRow
 from gspot_verified.mechanisms.table.classified_row import ClassifiedRow as ClassifiedRow
 from gspot_verified.mechanisms.table.classify_table import classify_table as classify_table
 from gspot_verified.numbers.balls import approximate as approximate

@@ -1,9 +1,12 @@
-"""``classify --table``: a line of CSV for each row of parameter values, as they come."""
+"""``classify --table`` and ``approach --table``: a line of CSV for each row of values, as they come."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
@@ -11,49 +14,86 @@ from gspot_verified.cli.app import progress
 from gspot_verified.cli.output import Outputs
 from gspot_verified.numbers.counted import counted
 
+if TYPE_CHECKING:
+    from gspot_verified.mechanisms.input.mechanism import Mechanism
+    from gspot_verified.mechanisms.table.row_text import AnsweredRow
+
 _SAID = 1_024  # rows between two plain lines of progress
 
+Answers = Callable[["Mechanism", Executor], "Iterator[AnsweredRow]"]
+"""What is asked of the table's rows."""
 
-def write_classified_table(
-    name: str,
-    settings: list[str] | None,
-    table: Path,
-    output: Path | None,
-    workers: int,
-    scheduler: str | None,
-    journal: Path | None,
-) -> NoReturn:
-    """Write the table of answers, print how many there are of each, and end the command.
+
+@dataclass(frozen=True)
+class TableRun:
+    """A mechanism as the command line names it, the table's file, the answers' file, and where the work is done."""
+
+    name: str
+    settings: list[str] | None
+    table: Path
+    output: Path | None
+    workers: int
+    scheduler: str | None
+
+
+def write_classified_table(run: TableRun, journal: Path | None) -> NoReturn:
+    """The Case and the side of each row's G-spot.
 
     :raises ValueError: no output is named, or it cannot be written.
     """
-    from gspot_verified.cli.load import given_values, load_with_settings
     from gspot_verified.mechanisms.table.classify_table import classify_table
+
+    def answers(mechanism: Mechanism, pool: Executor) -> Iterator[AnsweredRow]:
+        return classify_table(mechanism, run.table, executor=pool, journal=journal, progress=_show)
+
+    _write(run, journal, False, answers)
+
+
+def write_approach_table(run: TableRun, state: str | None, surface: str | None) -> NoReturn:
+    """Where slip from each row's state leads.
+
+    :raises ValueError: no output is named, or it cannot be written.
+    """
+    from gspot_verified.cli.approach_output import components
+    from gspot_verified.mechanisms.table.approach_table import approach_table
+
+    given = {} if state is None else components(state)
+
+    def answers(mechanism: Mechanism, pool: Executor) -> Iterator[AnsweredRow]:
+        return approach_table(mechanism, run.table, given, surface_velocity=surface, executor=pool, progress=_show_each)
+
+    _write(run, None, True, answers)
+
+
+def _write(run: TableRun, journal: Path | None, with_state: bool, answers: Answers) -> NoReturn:
+    """Write the table of answers, print how many there are of each, and end the command."""
+    from gspot_verified.cli.load import given_values, load_with_settings
     from gspot_verified.mechanisms.table.parameter_rows import parameter_rows
     from gspot_verified.work.draft import draft
     from gspot_verified.work.executors import executor
 
+    table, output = run.table, run.output
     if output is None:
         raise ValueError("--table needs --output, the file for its answers")
     outputs = Outputs()
-    outputs.reads(name)
+    outputs.reads(run.name)
     if table.exists() and output.exists() and table.samefile(output):
         raise ValueError(f"--output and --table name the same file {output}")
     outputs.reads(table)
     outputs.file("--output", output)
     outputs.file("--journal", journal)
-    mechanism = load_with_settings(name, settings)
-    twice = next((word for word in parameter_rows(mechanism, table).parameters if word in given_values(settings)), None)
+    mechanism = load_with_settings(run.name, run.settings)
+    columns = parameter_rows(mechanism, table, with_state).parameters
+    twice = next((word for word in columns if word in given_values(run.settings)), None)
     if twice is not None:
         raise ValueError(f"--set {twice}: the table has a column {twice}")
     counts: dict[str, int] = {}
-    with executor(workers, scheduler) as pool, outputs.journal(journal):
-        rows = classify_table(mechanism, table, executor=pool, journal=journal, progress=_show)
+    with executor(run.workers, run.scheduler) as pool, outputs.journal(journal):
+        rows = answers(mechanism, pool)
         with draft(output) as unfinished, unfinished.open("w", encoding="utf-8", newline="") as file:
             for row in rows:
                 file.write(row.to_csv() if counts else row.csv_head() + row.to_csv())
-                what = row.outcome if row.case is None else f"{row.outcome}, {_case(row.case)}"
-                counts[what] = counts.get(what, 0) + 1
+                counts[row.summary] = counts.get(row.summary, 0) + 1
     total = sum(counts.values())
     typer.echo(f"{mechanism.name}: {counted(total, 'row')}")
     for what, count in sorted(counts.items()):
@@ -61,10 +101,10 @@ def write_classified_table(
     outputs.leave(0 if total == sum(count for what, count in counts.items() if what.startswith("settled")) else 2)
 
 
-def _case(case: str) -> str:
-    return "no Case" if case == "none" else f"Case {case}"
-
-
 def _show(done: int) -> None:
     if done % _SAID == 0:
         progress(f"{done} rows done")
+
+
+def _show_each(done: int) -> None:
+    progress(f"{counted(done, 'row')} done")

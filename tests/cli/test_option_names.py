@@ -73,7 +73,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--supplement": (Path, "the folder of the errata and theorems"),
     "--surface-velocity": (str, "how the surface moves"),
     "--t": (str, "the time at which the force is asked"),
-    "--table": (Path, "the rows of parameter values that are classified"),
+    "--table": (Path, "the rows of values for each of which the question is asked"),
     "--tau": (str, "the argument of the function Theta, a value or a range"),
     "--tau-start": (str, "from which tau on a statement holds"),
     "--tolerance": (float, "the relative tolerance of a float run"),

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from killed import killed_after
 
-from gspot_verified import classify_table, load
+from gspot_verified import approach_table, classify_table, load
 from gspot_verified.cli import main
 from gspot_verified.mechanisms.shipped import shipped_text
 
@@ -101,3 +101,31 @@ def test_what_is_read_is_not_replaced(tmp_path: Path, capsys: pytest.CaptureFixt
     assert main([*words, str(tmp_path / "answers.csv")]) == 0
     assert given.read_text(encoding="utf-8") == "mu\n2\n"
     assert own.read_text(encoding="utf-8") == shipped_text("genot_brogliato_rod")
+
+
+def test_slip_from_each_row(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """``approach --table``: what all rows share stands in --from; the same lines as in Python."""
+    given, output = table(tmp_path, "b,p\n-2,1/2\n2,1/2\n"), tmp_path / "answers.csv"
+    words = ["approach", "model", "--table", str(given), "--output", str(output)]
+    assert main([*words, "--from", "x=0,u=3"]) == 2
+    assert capsys.readouterr().out.splitlines() == [
+        "model system: 2 rows",
+        "  one row: refused",
+        "  one row: settled, G-spot, lift-off",
+    ]
+    rows = list(approach_table(load("model system"), given, {"x": 0, "u": 3}))
+    assert output.read_text(encoding="utf-8") == rows[0].csv_head() + "".join(row.to_csv() for row in rows)
+    whole = table(tmp_path, "x,u,b,p\n0,3,-2,1/2\n")
+    assert main([*words[:3], str(whole), *words[4:]]) == 0
+    for more, message in (
+        (["--spot", "1"], "--spot: not with --table"),
+        (["--json"], "--json: not with --table"),
+        (["--from", "x=1"], "x: the table has a column x"),
+        (["--set", "alpha_3=2", "--set", "nu=1"], "nu"),
+    ):
+        assert main([*words, *more]) == 64
+        assert message in capsys.readouterr().err
+    assert main(["approach", "model"]) == 64
+    assert "give the state with --from, or states with --table" in capsys.readouterr().err
+    assert main(["approach", "model", "--from", "x=0", "--workers", "2"]) == 64
+    assert "--workers: only with --table" in capsys.readouterr().err

@@ -121,6 +121,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "SimulatorComparison": _comparison,
     "SlowZeros": lambda: g.zeros("5/2", "1/10"),
     "SlowZerosCertificate": lambda: g.slow_zeros_certificate("9/2..37/8", 10),
+    "ApproachedRow": lambda: next(g.approach_table(g.load("model system"), [{"x": 0, "u": 3, "p": "1/2", "b": "-2"}])),
     "ClassifiedRow": lambda: next(g.classify_table(g.load("genot_brogliato_rod"), [{"mu": "8/5"}])),
     "Sweep": lambda: g.sweep(g.load("oscillator"), {"beta": "9/4..11/4:4"}),
     "Fates": lambda: g.fates(g.load("model system"), {"x": 0, "u": 3, "p": "1/2"}, {"b": "-5/2..-3/2:2"}),

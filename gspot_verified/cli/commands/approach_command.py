@@ -7,11 +7,13 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json
+from gspot_verified.cli.app import JsonFlag, app, print_json, refuse
 from gspot_verified.cli.approach_output import components, show_approach
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName, Settings
 from gspot_verified.cli.load import load_with_settings
+from gspot_verified.cli.table_output import TableRun, write_approach_table
+from gspot_verified.cli.work_options import Scheduler, TableOutput, Workers
 
 _STATE = 'The state, "phi=phi_ref + 1/10,phi_dot=-9/10": all components, or all but the two that y = v = 0 determine.'
 
@@ -28,16 +30,32 @@ Spot = Annotated[
 @app.command(epilog=example('approach oscillator --from "phi=phi_ref+1/10,phi_dot=-9/10"'))
 def approach(
     name: MechanismName,
-    state: Annotated[str, typer.Option("--from", help=_STATE)],
+    state: Annotated[str | None, typer.Option("--from", help=_STATE)] = None,
     surface: Surface = None,
     settings: Settings = None,
     spot: Spot = None,
+    table: Annotated[
+        Path | None,
+        typer.Option(help="Follow slip for each row of a CSV file of parameters and components of the state."),
+    ] = None,
+    output: TableOutput = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Where slip from a state leads: a G-spot, lift-off or stick. At a G-spot: C1 in balls, and lift-off or impact.
 
     Exit code 0 when that is proved (and C1 has a certain sign), 2 when something is undecided.
+
+    With --table slip is followed for each row of values, with those of --from in all rows, and the answers are the
+    lines of a CSV file; a row that is refused or undecided says why, and then the exit code is 2.
     """
+    if table is not None:
+        refuse("not with --table, whose answers are the rows of --output", {"--spot": spot, "--json": as_json})
+        write_approach_table(TableRun(name, settings, table, output, workers, scheduler), state, surface)
+    refuse("only with --table", {"--output": output, "--scheduler": scheduler, "--workers": workers != 1})
+    if state is None:
+        raise ValueError("give the state with --from, or states with --table")
     show_approach(load_with_settings(name, settings), state, surface, as_json, spot)
 
 

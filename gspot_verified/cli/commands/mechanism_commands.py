@@ -13,8 +13,8 @@ from gspot_verified.cli.app import JsonFlag, app, counted, print_json, refuse, w
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
-from gspot_verified.cli.table_output import write_classified_table
-from gspot_verified.cli.work_options import JournalFile, Scheduler, Workers
+from gspot_verified.cli.table_output import TableRun, write_classified_table
+from gspot_verified.cli.work_options import JournalFile, Scheduler, TableOutput, Workers
 from gspot_verified.numbers.counted import done_of
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def classify(
         Path | None,
         typer.Option(help="Classify each row of a CSV file of parameter values; its first line has names."),
     ] = None,
-    output: Annotated[Path | None, typer.Option(help="With --table: the CSV file for its answers.")] = None,
+    output: TableOutput = None,
     workers: Workers = 1,
     scheduler: Scheduler = None,
     journal: JournalFile = None,
@@ -82,7 +82,7 @@ def classify(
     if table is not None:
         alone = {"--all": everywhere, "--box": box, "--budget": budget, "--from": from_state, "--verbose": verbose}
         refuse("not with --table, whose answers are the rows of --output", alone | {"--json": as_json})
-        write_classified_table(name, settings, table, output, workers, scheduler, journal)
+        write_classified_table(TableRun(name, settings, table, output, workers, scheduler), journal)
     only = {"--output": output, "--scheduler": scheduler, "--journal": journal, "--workers": workers != 1}
     refuse("only with --table", only)
     if from_state is not None:

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
 from gspot_verified.mechanisms.sweep.sweep_piece import columns
-from gspot_verified.numbers.balls import float_bounds
-from gspot_verified.numbers.dyadic import Dyadic
+from gspot_verified.mechanisms.table.row_text import OUTCOMES, Numbers, bounds, ends, line
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
-
-OUTCOMES = ("settled", "undecided", "refused")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +34,8 @@ class ClassifiedRow(NoTruthValue, Written):
     lift_off_sign: int | None
     impact_sign: int | None
     reason: str
-    numbers: tuple[tuple[str, Dyadic | None], ...]
-    point: tuple[tuple[str, Dyadic | None], ...]
+    numbers: Numbers
+    point: Numbers
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -57,12 +51,18 @@ class ClassifiedRow(NoTruthValue, Written):
             texts.append("u <= 0 at the G-spot, or not certainly u > 0")
         return tuple(texts)
 
+    @property
+    def summary(self) -> str:
+        """The outcome, with the Case where it is known."""
+        if self.case is None:
+            return self.outcome
+        return f"{self.outcome}, {'no Case' if self.case == 'none' else f'Case {self.case}'}"
+
     def to_csv(self) -> str:
         """The row as a line of CSV, under :meth:`csv_head`: bounds are rounded outward."""
         signs = ["" if sign is None else str(sign) for sign in (self.lift_off_sign, self.impact_sign)]
         words = [self.outcome, self.case or "", *signs, self.reason, "; ".join(self.warnings)]
-        bounds = [text for _, number in (*self.numbers, *self.point) for text in _bounds(number)]
-        return _line([*(text for _, text in self.given), *words, *bounds])
+        return line([*(text for _, text in self.given), *words, *bounds((*self.numbers, *self.point))])
 
     def csv_head(self) -> str:
         """The names of the columns, as a line of CSV: the same for all rows of one table.
@@ -72,21 +72,4 @@ class ClassifiedRow(NoTruthValue, Written):
         """
         words = ["outcome", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "reason", "warnings"]
         groups = (("", [name for name, _ in self.given]), ("answer_", words))
-        return _line(columns(*groups, ("spot_", _ends(self.numbers)), ("state_", _ends(self.point))))
-
-
-def _ends(numbers: Sequence[tuple[str, Dyadic | None]]) -> list[str]:
-    return [f"{name}_{end}" for name, _ in numbers for end in ("lower", "upper")]
-
-
-def _bounds(number: Dyadic | None) -> tuple[str, str]:
-    if number is None:
-        return "", ""
-    lower, upper = float_bounds(number.to_ball())
-    return repr(lower), repr(upper)
-
-
-def _line(fields: Sequence[str]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerow(fields)
-    return text.getvalue()
+        return line(columns(*groups, ("spot_", ends(self.numbers)), ("state_", ends(self.point))))

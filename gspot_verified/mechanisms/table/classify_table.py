@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
-from itertools import chain, islice
+from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -31,11 +31,10 @@ from gspot_verified.mechanisms.sweep.sweep_work import compiled, read_line, whol
 from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
 from gspot_verified.mechanisms.table.parameter_rows import ParameterRow, Row, parameter_rows
 from gspot_verified.mechanisms.table.row_search import Start, middle_of, searched
+from gspot_verified.mechanisms.table.table_work import Kept, answered_rows
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube
 from gspot_verified.numbers.balls import working_bits
-from gspot_verified.work.executors import InProcessExecutor
 from gspot_verified.work.journal_file import JournalFile
-from gspot_verified.work.kept_portions import kept_results
 
 _PORTION = 64  # rows of one task, and of one line of the journal
 _NOT_FOUND = "no G-spot was found from the place that the mechanism names"
@@ -112,29 +111,9 @@ def classify_table(
     with working_bits(BITS):
         start = Start(with_place_of(mechanism, first), table_rows.parameters, first.fixed, middle_of(first))
     question = _Question(start)
-    kept = None if journal is None else JournalFile(journal, question.header())
-    return _classified(question, table_rows.rows, executor or InProcessExecutor(), kept, progress)
-
-
-def _classified(
-    question: _Question,
-    rows: Iterator[ParameterRow],
-    executor: Executor,
-    journal: JournalFile | None,
-    progress: Callable[[int], None] | None,
-) -> Iterator[ClassifiedRow]:
-    try:
-        portions = iter(lambda: list(islice(rows, _PORTION)), [])
-        first, again = partial(_examined, question), partial(_proved_again, question)
-        done = 0
-        for answer in kept_results(portions, executor, journal, first, again, read_line):
-            done += len(answer.rows)
-            if progress is not None:
-                progress(done)
-            yield from answer.rows
-    finally:
-        if journal is not None:
-            journal.close()
+    again = partial(_proved_again, question)
+    kept = None if journal is None else Kept(JournalFile(journal, question.header()), again, read_line)
+    return answered_rows(table_rows.rows, _PORTION, partial(_examined, question), executor, progress, kept)
 
 
 def _proved_again(question: _Question, rows: list[ParameterRow], line: str) -> _Answer:

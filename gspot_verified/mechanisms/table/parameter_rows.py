@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from itertools import chain, zip_longest
 from pathlib import Path
@@ -20,41 +20,50 @@ Row = Mapping[str, ExactInput]
 
 @dataclass(frozen=True, slots=True)
 class ParameterRow:
-    """One row: its number from 1, the values as they were given, and as exact numbers; or what is wrong with it."""
+    """One row: its number from 1, the values as they were given, and as exact numbers; or what is wrong with it.
+
+    ``state``: the components of the state that it gives, as texts; ``values`` are those of the parameters.
+    """
 
     number: int
     given: tuple[tuple[str, str], ...]
     values: tuple[fmpq, ...] | None
     wrong: str = ""
+    state: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
 class ParameterRows:
-    """The rows of a table, to be gone through once; ``parameters`` are its columns."""
+    """The rows of a table, to be gone through once; its columns are ``parameters`` and ``components`` of the state."""
 
     parameters: tuple[str, ...]
     rows: Iterator[ParameterRow]
+    components: tuple[str, ...] = ()
 
 
-def parameter_rows(mechanism: Mechanism, table: str | Path | Iterable[Row]) -> ParameterRows:
+def parameter_rows(mechanism: Mechanism, table: str | Path | Iterable[Row], with_state: bool = False) -> ParameterRows:
     """The rows of a CSV file whose first line names the parameters, or of mappings, the first of which names them.
+
+    ``with_state``: components of the state may stand there too.
 
     :raises MechanismError: no row, a column that is no parameter of the mechanism, or one that is there twice.
     :raises OSError: the file cannot be read.
     """
+    state = frozenset(mechanism.state)
     if isinstance(table, str | Path):
         lines = _lines(Path(table))
-        parameters = _checked(mechanism, next(lines, []), str(table))
-        rows = _of_lines(parameters, lines)
+        names = _checked(mechanism, next(lines, []), str(table), with_state)
+        rows = _of_lines(names, state, lines)
     else:
         mappings = iter(table)
         first = next(mappings, None)
-        parameters = _checked(mechanism, list(first or ()), "the table")
-        rows = _of_mappings(parameters, mappings if first is None else chain([first], mappings))
+        names = _checked(mechanism, list(first or ()), "the table", with_state)
+        rows = _of_mappings(names, state, mappings if first is None else chain([first], mappings))
     first_row = next(rows, None)
     if first_row is None:
         raise MechanismError("the table has no row")
-    return ParameterRows(parameters, chain([first_row], rows))
+    parameters = tuple(name for name in names if name not in state)
+    return ParameterRows(parameters, chain([first_row], rows), tuple(name for name in names if name in state))
 
 
 def _lines(path: Path) -> Iterator[list[str]]:
@@ -65,15 +74,18 @@ def _lines(path: Path) -> Iterator[list[str]]:
             raise MechanismError(f"{path} is no CSV file: {error}") from None
 
 
-def _checked(mechanism: Mechanism, header: Sequence[str], where: str) -> tuple[str, ...]:
+def _checked(mechanism: Mechanism, header: Sequence[str], where: str, with_state: bool) -> tuple[str, ...]:
     names = tuple(name.strip() for name in header)
-    known = dict(mechanism.parameters)
+    known = [*dict(mechanism.parameters), *(mechanism.state if with_state else ())]
+    what, all_of_them = (
+        ("parameter or component", "parameters or components") if with_state else ("parameter", "parameters")
+    )
     if not any(names):
-        raise MechanismError(f"{where}: the first line must name parameters of {mechanism.name}: {', '.join(known)}")
+        raise MechanismError(f"{where}: the first line must name {all_of_them} of {mechanism.name}: {', '.join(known)}")
     for k, name in enumerate(names):
         if name not in known:
             raise MechanismError(
-                f"{where}: column {k + 1}: {mechanism.name} has no parameter {name[:60]!r}{nearest(name, known)}; "
+                f"{where}: column {k + 1}: {mechanism.name} has no {what} {name[:60]!r}{nearest(name, known)}; "
                 f"it has: {', '.join(known) or 'none'}"
             )
         if name in names[:k]:
@@ -81,30 +93,33 @@ def _checked(mechanism: Mechanism, header: Sequence[str], where: str) -> tuple[s
     return names
 
 
-def _of_lines(parameters: Sequence[str], lines: Iterator[list[str]]) -> Iterator[ParameterRow]:
+def _of_lines(names: Sequence[str], state: Set[str], lines: Iterator[list[str]]) -> Iterator[ParameterRow]:
     for number, fields in enumerate((line for line in lines if line), 1):
-        if len(fields) == len(parameters):
-            yield _read(number, parameters, fields)
+        if len(fields) == len(names):
+            yield _read(number, names, state, fields)
         else:
-            wrong = f"{counted(len(fields), 'value')}, {len(parameters)} are needed: {', '.join(parameters)}"
-            yield ParameterRow(
-                number, tuple(zip_longest(parameters, fields[: len(parameters)], fillvalue="")), None, wrong
-            )
+            wrong = f"{counted(len(fields), 'value')}, {len(names)} are needed: {', '.join(names)}"
+            yield ParameterRow(number, tuple(zip_longest(names, fields[: len(names)], fillvalue="")), None, wrong)
 
 
-def _of_mappings(parameters: Sequence[str], mappings: Iterable[Row]) -> Iterator[ParameterRow]:
+def _of_mappings(names: Sequence[str], state: Set[str], mappings: Iterable[Row]) -> Iterator[ParameterRow]:
     for number, given in enumerate(mappings, 1):
-        if set(given) == set(parameters):
-            yield _read(number, parameters, [given[name] for name in parameters])
+        if set(given) == set(names):
+            yield _read(number, names, state, [given[name] for name in names])
         else:
-            wrong = f"values of {', '.join(given) or 'nothing'}; those of {', '.join(parameters)} are needed"
-            yield ParameterRow(number, tuple((name, str(given.get(name, ""))) for name in parameters), None, wrong)
+            wrong = f"values of {', '.join(given) or 'nothing'}; those of {', '.join(names)} are needed"
+            yield ParameterRow(number, tuple((name, str(given.get(name, ""))) for name in names), None, wrong)
 
 
-def _read(number: int, parameters: Sequence[str], fields: Sequence[ExactInput]) -> ParameterRow:
-    given = tuple((name, str(field).strip()) for name, field in zip(parameters, fields, strict=True))
+def _read(number: int, names: Sequence[str], state: Set[str], fields: Sequence[ExactInput]) -> ParameterRow:
+    given = tuple((name, str(field).strip()) for name, field in zip(names, fields, strict=True))
+    start, values = [], []
     try:
-        values = tuple(exact_rational(field, name) for name, field in zip(parameters, fields, strict=True))
+        for name, field in zip(names, fields, strict=True):
+            if name in state:  # a text may be a formula: it is read with the mechanism of the row
+                start.append((name, field.strip() if isinstance(field, str) else str(exact_rational(field, name))))
+            else:
+                values.append(exact_rational(field, name))
     except MechanismError as error:
         return ParameterRow(number, given, None, str(error))
-    return ParameterRow(number, given, values)
+    return ParameterRow(number, given, tuple(values), "", tuple(start))

@@ -1,0 +1,149 @@
+"""Each row of a table says what ``approach`` and ``mechanism_side`` say of that state alone; pages: proofs/approach.md,
+proofs/papers_rule.md."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+from flint import arb
+
+from gspot_verified import MechanismError, load, mechanism_side
+from gspot_verified.mechanisms.approach import mechanism_side as sides
+from gspot_verified.mechanisms.table import approach_table as module
+from gspot_verified.mechanisms.table.approach_table import approach_table
+from gspot_verified.mechanisms.table.approached_row import ApproachedRow
+from gspot_verified.numbers.balls import ball
+
+MODEL = load("model system")
+FIXED = {"x": 0, "u": 3}
+STATES = [{"p": "1/2", "b": "-2"}, {"p": "1/2", "b": "-1/50"}, {"p": "1/4", "b": "-1"}]
+
+
+def agrees(row: ApproachedRow, name: str, parameters: Mapping[str, str], state: Mapping[str, str | int]) -> None:
+    alone = mechanism_side(load(name, **parameters), state)
+    slip = alone.approach
+    assert (row.end, row.case, row.side, row.small_epsilon_side) == (slip.end, slip.case, slip.side, alone.side)
+    assert row.warnings == slip.warnings
+    numbers = dict(row.numbers)
+    for word, value in (("time", slip.time), ("beta", slip.beta), ("C1", slip.coefficient)):
+        own = numbers[word]
+        assert (own is None) == (value is None)
+        assert own is None or value is None or own.to_ball().overlaps(ball(value))
+    assert [own is not None for _, own in row.point] == [bool(slip.spot)] * len(row.point)
+
+
+def test_a_row_says_what_the_state_alone_says() -> None:
+    """Parameters and components as columns; at a G-spot with both sides, and an end before."""
+    rows = [{**state, "alpha_3": alpha} for state in STATES for alpha in ("-3/2", "-5/2")]
+    found = list(approach_table(MODEL, rows, FIXED))
+    assert [row.number for row in found] == [1, 2, 3, 4, 5, 6]
+    assert {row.outcome for row in found} == {"settled"}
+    assert {row.side for row in found} >= {"lift-off", "impact without collision"}
+    for row, values in zip(found, rows, strict=True):
+        state: dict[str, str | int] = {**FIXED, "p": values["p"], "b": values["b"]}
+        agrees(row, "model system", {"alpha_3": values["alpha_3"]}, state)
+
+
+def test_formulas_of_reference_angles(tmp_path: Path) -> None:
+    """A component may be a formula; at the G-spot an angle stands with its reference."""
+    path = tmp_path / "states.csv"
+    path.write_text("phi_dot,phi\n-9/10,phi_ref + 1/10\n-1/2,phi_ref + 1/10\n,phi_ref\n", encoding="utf-8")
+    oscillator = load("oscillator")
+    first, second, third = approach_table(oscillator, path)
+    assert [row.small_epsilon_side for row in (first, second, third)] == ["lift-off", "impact", None]
+    agrees(first, "oscillator", {}, {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"})
+    angle = dict(first.point)["phi"]
+    (reference,) = (each for each in oscillator.angles if each.coordinate == "phi")
+    assert angle is not None
+    assert (angle.to_ball() - arb.atan2(arb(reference.sine), arb(reference.cosine))).overlaps(
+        mechanism_side(oscillator, {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}).approach.spot[
+            oscillator.state.index("phi")
+        ]
+    )
+    assert third.outcome == "refused"
+    assert third.point == tuple((word, None) for word in oscillator.state)
+
+
+@pytest.mark.parametrize(
+    ("values", "reason"),
+    [
+        ({"p": "-1", "b": "-1"}, "not certainly positive"),
+        ({"p": "1", "b": "1"}, "not certainly negative"),
+        ({"p": "nan", "b": "-1"}, "p"),
+        ({"p": "1"}, "those of p, b are needed"),
+        ({"p": "q + 1", "b": "-1"}, "p"),
+    ],
+)
+def test_a_row_that_is_wrong_is_refused_alone(values: dict[str, str], reason: str) -> None:
+    first, second, third = approach_table(MODEL, [STATES[0], values, STATES[0]], FIXED)
+    assert second.outcome == "refused"
+    assert reason in second.reason
+    assert (second.end, second.side, second.small_epsilon_side) == (None, None, None)
+    assert (first.side, third.side) == ("lift-off", "lift-off")
+
+
+def test_what_is_open_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A path that is not followed to its end."""
+    real = sides.approach
+    monkeypatch.setattr(sides, "approach", lambda *a, **k: real(*a, **{**k, "max_steps": 1}))
+    (row,) = approach_table(MODEL, STATES[:1], FIXED)
+    assert (row.outcome, row.end, row.side, row.small_epsilon_side) == ("undecided", None, None, None)
+    assert row.reason
+    assert all(number is None for _, number in (*row.numbers, *row.point))
+    assert row.summary == "undecided"
+
+
+def test_the_surface_moves() -> None:
+    (row,) = approach_table(MODEL, STATES[:1], FIXED, surface_velocity=4)
+    assert row.outcome == "refused"
+    assert "no positive slip" in row.reason
+
+
+def test_the_same_for_every_executor(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "_PORTION", 2)
+    expected = list(approach_table(MODEL, STATES, FIXED))
+    done: list[int] = []
+    with ThreadPoolExecutor(1) as pool:
+        assert list(approach_table(MODEL, STATES, FIXED, executor=pool, progress=done.append)) == expected
+    assert done == [2, 3]
+
+
+def test_rows_are_taken_as_they_are_needed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "_PORTION", 2)
+    taken: list[int] = []
+
+    def endless() -> Iterator[dict[str, str]]:
+        while True:
+            taken.append(1)
+            yield {"p": "-1", "b": "-1"}
+
+    found = approach_table(MODEL, endless(), FIXED)
+    assert [next(found).number for _ in range(3)] == [1, 2, 3]
+    assert len(taken) == 4
+
+
+def test_a_wrong_table_is_refused_whole(tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text("p,b\n", encoding="utf-8")
+    with pytest.raises(MechanismError, match="no parameter or component 'q'"):
+        approach_table(MODEL, [{"q": 1}], FIXED)
+    with pytest.raises(MechanismError, match="no row"):
+        approach_table(MODEL, tmp_path / "table.csv", FIXED)
+    with pytest.raises(ValueError, match="u: the table has a column u, and the state gives it too"):
+        approach_table(MODEL, [{"u": 1}], FIXED)
+
+
+def test_a_line_of_csv() -> None:
+    row, other = approach_table(MODEL, [STATES[0], {"p": "-1", "b": "-1"}], FIXED)
+    head, line, refused = (text.rstrip("\n").split(",") for text in (row.csv_head(), row.to_csv(), other.to_csv()))
+    assert head[:8] == ["p", "b", "outcome", "end", "case", "side", "small_epsilon_side", "reason"]
+    assert line[:7] == ["1/2", "-2", "settled", "G-spot", "III", "lift-off", "lift-off"]
+    assert refused[:3] == ["-1", "-1", "refused"]
+    assert len(head) == len({*head}) == len(line)
+    assert head[-12:] == [f"{word}_{end}" for word in MODEL.state for end in ("lower", "upper")]
+    where = head.index("C1_lower")
+    coefficient = mechanism_side(MODEL, {**FIXED, **STATES[0]}).approach.coefficient
+    assert coefficient is not None
+    assert arb(float(line[where])) <= coefficient <= arb(float(line[where + 1]))
