@@ -1,6 +1,6 @@
-"""Hard cases of the expansions: polynomials of high degree, high orders of Theorem 1, an order that is obstructed.
+"""Hard cases of the expansions: high degrees, high orders of Theorem 1, an obstructed order, bounds past the G-spot.
 
-The usual computation beside them: the library's own recursion of Theorem 1 with doubles as its numbers.
+Beside the first three the usual computation: the library's own recursion of Theorem 1 with doubles as its numbers.
 """
 
 from __future__ import annotations
@@ -16,12 +16,14 @@ from flint import arb, fmpq
 from gspot_verified.expansion.in_balls import expand_in_balls
 from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.trajectory import Trajectory, terms_of
+from gspot_verified.expansion.true_solutions.bound import UniformBound, uniform_bound
 from gspot_verified.hard_cases.double import double_text
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double
-from gspot_verified.hard_cases.timed import timed
+from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
 from gspot_verified.mechanisms.expand import expand
+from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.shipped import shipped_system
-from gspot_verified.numbers.balls import ball_text, working_bits
+from gspot_verified.numbers.balls import approximate, ball_text, working_bits
+from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.theta_function.value.integer import polynomial
 
@@ -228,8 +230,39 @@ def _text(value: fmpq) -> str:
         return f"{ball_text(arb(value), 12)} (exact)"
 
 
+ORDER = 6  # of delta, of the expansion
+START = fmpq(-3)  # s, before the G-spot at s = 0
+DELTA = fmpq(1, 20)  # the statement is for all smaller ones
+
+
+def bound_until(end: int) -> UniformBound:
+    """How far the solution that starts on the expansion at s = -3 is from it, up to s = ``end``."""
+    return uniform_bound(expand(load("extended"), ORDER), START, end, DELTA, within=0)
+
+
+def past_the_g_spot(end: int) -> HardCase:
+    """Whether that is proved for all delta up to 1/20: 1 where it is; the constant of p is shown."""
+    bound, seconds = timed(lambda: bound_until(end))
+    proved = bound.verdict.outcome is Outcome.PROVED
+    text = f"|Δp| ≤ {approximate(bound.constants['p'].upper()):.4g} δ^6" if proved else "undecided"
+    asked = f"the distance from the expansion up to s = {end}, 0 < δ ≤ 1/20"
+    return HardCase(
+        level=end,
+        asked=asked,
+        condition=None,
+        lost=None,
+        double=None,
+        double_text="",
+        certified=1 if proved else None,
+        text=text,
+        work=len(bound.stretches),
+        seconds=seconds,
+    )
+
+
 CASES: dict[str, Case] = {
     "high-degree": high_degree,
     "high-order": high_order,
     "obstructed": obstructed,
+    "uniform": past_the_g_spot,
 }

@@ -9,15 +9,12 @@ from importlib import resources
 from typing import ClassVar
 
 from gspot_verified.hard_cases import (
-    certificate_cases,
     compliant_cases,
     expansion_cases,
     fold_cases,
     mechanism_cases,
-    scene_cases,
     sign_cases,
     theta_cases,
-    uniform_cases,
 )
 from gspot_verified.hard_cases.hard_case import Case
 from gspot_verified.numbers.written import Written
@@ -25,13 +22,10 @@ from gspot_verified.numbers.written import Written
 CASES: dict[str, Case] = {
     **theta_cases.CASES,
     **sign_cases.CASES,
-    **certificate_cases.CASES,
     **expansion_cases.CASES,
-    **uniform_cases.CASES,
     **compliant_cases.CASES,
     **fold_cases.CASES,
     **mechanism_cases.CASES,
-    **scene_cases.CASES,
 }
 
 

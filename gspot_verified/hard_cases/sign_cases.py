@@ -1,15 +1,18 @@
-"""Hard cases of the signs: the side next to an integer, zeros that nearly meet, a zero far out, wide ranges."""
+"""Hard cases of the signs: the side next to an integer, zeros that nearly meet, their certificate, wide ranges."""
 
 from __future__ import annotations
 
+import tempfile
 from itertools import pairwise
+from pathlib import Path
 
 from flint import arb, fmpq
 
+from gspot_verified.certificates.checker import check
+from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.times.baseline import flint_attempt
 from gspot_verified.hard_cases.double import double_text, sign_changes, theta_double
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double
-from gspot_verified.hard_cases.timed import timed
+from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.sign import sign as sign_on_ranges
@@ -120,9 +123,38 @@ def wide_range(x: int) -> HardCase:
     )
 
 
+def brackets_certificate(k: int) -> str:
+    """The certificate of the zeros of dTheta/dtau at beta = 6 - 10^-k, apart from each other."""
+    zeros = zeros_at(near(6, k, -1), k // 2 + SPARE)
+    return certificate_text(zeros.statement, [zeros.column])
+
+
+def checked_brackets(k: int) -> HardCase:
+    """What the independent checker says of it: 1 where it verified."""
+    text, seconds = timed(lambda: brackets_certificate(k))
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "brackets.cert"
+        path.write_text(text, encoding="utf-8")
+        result = check(path)
+    said = "VERIFIED by the checker" if result.verified else result.text.splitlines()[-1][:80]
+    return HardCase(
+        level=k,
+        asked=f"a certificate of all zeros of dΘ/dτ, β = 6 − 10^−{k}",
+        condition=log10(6 * fmpq(10) ** k),
+        lost=None,
+        double=None,
+        double_text="",
+        certified=1 if result.verified else None,
+        text=said,
+        work=len(text),
+        seconds=seconds,
+    )
+
+
 CASES: dict[str, Case] = {
     "side": side_next_to_an_integer,
     "zeros-meet": zeros_that_nearly_meet,
     "zero-far-out": zero_far_out,
     "wide-range": wide_range,
+    "certificate": checked_brackets,
 }

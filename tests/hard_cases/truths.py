@@ -18,7 +18,7 @@ from gspot_verified.compliant.model.normal_form import compliant_model
 from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.slow.grid import scale
 from gspot_verified.expansion.in_balls import expand_in_balls
-from gspot_verified.hard_cases import fold_cases, theta_cases, uniform_cases
+from gspot_verified.hard_cases import expansion_cases, fold_cases, theta_cases
 from gspot_verified.hard_cases.hard_case import near, nearest_double
 from gspot_verified.mechanisms.shipped import shipped_system
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -138,8 +138,8 @@ def _ends(value: arb) -> tuple[Fraction, Fraction]:
 
 def uniform(end: int) -> Truth:
     """One delta and one solution: scipy's run from the expansion stays within the constant of p."""
-    found = uniform_cases.bound_until(end)
-    delta, order = 0.05, uniform_cases.ORDER
+    found = expansion_cases.bound_until(end)
+    delta, order = 0.05, expansion_cases.ORDER
     terms = found.trajectory.terms()
 
     def value(name: str, s: float) -> float:
