@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -196,3 +197,9 @@ def counted(step: str, done: int, share: float, said: bool) -> None:
         line.count(step, done, share)
     elif said:
         progress(step)
+
+
+Workers = Annotated[int, typer.Option(help="Processes that share the work; the result is the same for any number.")]
+Scheduler = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, in place of processes here.")]
+JournalFile = Annotated[Path | None, typer.Option("--journal", help="Keep finished work here; go on from it.")]
+TableOutput = Annotated[Path | None, typer.Option("--output", help="With --table: the CSV file for its answers.")]

@@ -54,7 +54,7 @@ def write_approach_table(run: TableRun, state: str | None, surface: str | None) 
 
     :raises ValueError: no output is named, or it cannot be written.
     """
-    from gspot_verified.cli.approach_output import components
+    from gspot_verified.cli.load import components
     from gspot_verified.mechanisms.table.approach_table import approach_table
 
     given = {} if state is None else components(state)

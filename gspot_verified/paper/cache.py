@@ -3,7 +3,7 @@
 An entry is in its file when ``keep`` returns, so a run that was killed goes on where it was. What is read again must
 carry the same key and its own hash, and its verdict is drawn again from its checks. Whoever can write into the folder
 can write a false result there, as into the sources: ``verify --full`` reads none. ``verify`` runs isolated
-(``cli/isolation.py``), under a key of its own: what a changed Python finds is never read by it.
+(``cli/main.py``), under a key of its own: what a changed Python finds is never read by it.
 """
 
 from __future__ import annotations

@@ -61,7 +61,7 @@ def ingredients(sources: Sequence[Path] = SOURCES) -> dict[str, Any]:
 def startup() -> list[list[str]]:
     """What acts on Python before any program: the hashes of ``.pth`` files, ``sitecustomize`` and ``usercustomize``.
 
-    ``verify`` runs without the last two (``cli/isolation.py``); other programs may have them.
+    ``verify`` runs without the last two (``cli/main.py``); other programs may have them.
     """
     paths = [file for folder in sys.path for file in sorted(Path(folder).glob("*.pth"))]
     for name in ("sitecustomize", "usercustomize"):

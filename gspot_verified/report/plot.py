@@ -17,9 +17,8 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.report.figures.atlas import atlas_picture
 from gspot_verified.report.figures.b_hat_figure import b_hat_picture
 from gspot_verified.report.figures.figures import theta_picture
-from gspot_verified.report.figures.force_figure import force_picture
+from gspot_verified.report.figures.force_figure import force_picture, threshold_picture, threshold_points
 from gspot_verified.report.figures.side_map import side_map_picture
-from gspot_verified.report.figures.threshold_figure import threshold_picture, threshold_points
 from gspot_verified.report.pictures.canvas import Picture, checked_suffix
 from gspot_verified.report.pictures.contact_force_picture import contact_force_picture
 from gspot_verified.report.pictures.expansion_picture import expansion_picture

@@ -5,11 +5,12 @@ from __future__ import annotations
 import base64
 import hashlib
 import re
+import tomllib
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from functools import lru_cache
 from importlib import resources
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import quote
 
 from flint import fmpq
@@ -22,7 +23,6 @@ from gspot_verified.paper.checks.entry import Rung
 from gspot_verified.paper.checks.paper import printed_number
 from gspot_verified.paper.claims import WHY, Standing
 from gspot_verified.report.data import checked
-from gspot_verified.report.parts.code_page import code_address, code_page
 from gspot_verified.report.parts.cost_page import shown_measurement
 from gspot_verified.report.parts.dependency_graph import Node, graph_svg
 from gspot_verified.report.parts.errata_items import TITLES, errata
@@ -30,12 +30,102 @@ from gspot_verified.report.parts.formulas import typeset
 from gspot_verified.report.parts.glossary import glossary, linked_at_first_use
 from gspot_verified.report.parts.latex import NotTypeset, latex_formula, latex_html
 from gspot_verified.report.parts.latex_text import source_latex
-from gspot_verified.report.parts.new_results import MACHINE_CHECKED, new_results
 from gspot_verified.report.parts.proof_page import linked_pages, page_title, proof_html, proof_text
 
 if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
+
+
+MACHINE_CHECKED = "machine-checked"
+"""The result whose statements are formal ones: they stand beside it in full."""
+
+
+class Passage(NamedTuple):
+    """Words of a page of ``proofs/``, exactly as they stand there."""
+
+    page: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class NewResult:
+    """A result: ``before`` is what the paper has, ``says`` the result in short, ``passages`` its precise statement.
+
+    ``entries``: statements of the ledger that carry it; ``command`` runs it again and then ``prints`` so; ``figure``:
+    the name of a figure of the report.
+    """
+
+    key: str
+    title: str
+    before: str
+    says: str
+    passages: tuple[Passage, ...]
+    entries: tuple[str, ...]
+    command: str
+    prints: str
+    figure: str
+
+
+@lru_cache(maxsize=1)
+def new_results() -> tuple[NewResult, ...]:
+    """The results, in the order of the page.
+
+    >>> [result.key for result in new_results()][:2]
+    ['sign', 'count-law']
+    """
+    text = resources.files("gspot_verified.report").joinpath("pages", "new.toml").read_text(encoding="utf-8")
+    return tuple(
+        NewResult(
+            key=row["key"],
+            title=row["title"],
+            before=row["before"],
+            says=row["says"],
+            passages=tuple(Passage(one["page"], one["text"].strip()) for one in row["passages"]),
+            entries=tuple(row["entries"]),
+            command=row["command"],
+            prints=row["prints"],
+            figure=row["figure"],
+        )
+        for row in tomllib.loads(text)["results"]
+    )
+
+
+_LEDGER = re.compile(r"gspot_verified/paper/((?:\w+/)?)(\w+)\.py")
+
+
+def code_address(path: str, function: str = "") -> str:
+    """Where the page of a module is, and a function on it.
+
+    >>> code_address("gspot_verified/paper/section_3/section_3.py", "_sides")
+    'code-section_3.html#function-_sides'
+    """
+    match = _LEDGER.fullmatch(path)
+    name = match[2] if match else "unknown"
+    return f"code-{name}.html" + (f"#function-{function}" if function else "")
+
+
+@lru_cache(maxsize=100)
+def code_page(path: str) -> str:
+    """The highlighted source as HTML; "" for what is no module of the ledger here."""
+    from pygments import highlight
+    from pygments.formatters import HtmlFormatter
+    from pygments.lexers import PythonLexer
+
+    match = _LEDGER.fullmatch(path)
+    place = resources.files("gspot_verified.paper").joinpath(f"{match[1]}{match[2]}.py") if match else None
+    if place is None or not place.is_file():
+        return ""
+    shown: str = highlight(place.read_text(encoding="utf-8"), PythonLexer(), HtmlFormatter(nowrap=True))
+    lines = []
+    for number, line in enumerate(shown.splitlines(), 1):
+        name = re.match(
+            r'<span class="k">def</span>\s*(?:<span class="w"> </span>)?<span class="nf">(\w+)</span>', line
+        )
+        address = f' id="function-{name[1]}"' if name else ""
+        lines.append(f'<span class="line"{address}><i>{number}</i>{line}</span>')
+    return "\n".join(lines)
+
 
 SECTIONS = {
     "Section 1": "Introduction",

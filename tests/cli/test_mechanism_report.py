@@ -143,7 +143,7 @@ def test_a_page_that_cannot_be_written_after_the_work_is_exit_code_74(
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("gspot_verified.report.mechanism.page.write_pages", full)
+    monkeypatch.setattr("gspot_verified.report.mechanism.mechanism_report.write_pages", full)
     code, out, err = run(capsys, *NO_G_SPOT, "--output", str(tmp_path / "out"))
     assert code == 74
     assert "refuted    That there is a G-spot" in out

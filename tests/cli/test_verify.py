@@ -131,7 +131,7 @@ def test_the_supplement_is_written_from_a_report_and_a_missing_latex_is_said(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     path = report_file(tmp_path)
-    monkeypatch.setattr("gspot_verified.report.parts.latex_program.shutil.which", lambda _: None)
+    monkeypatch.setattr("gspot_verified.report.write.shutil.which", lambda _: None)
     code, output, errors = run(capsys, "report", str(path), "--supplement", str(tmp_path / "out"))
     assert code == 0
     assert output.splitlines() == [str(tmp_path / "out" / name) for name in ("errata.tex", "theorems.tex")]

@@ -8,7 +8,7 @@ import subprocess
 import pytest
 
 from gspot_verified.report import write
-from gspot_verified.report.parts.new_results import new_results
+from gspot_verified.report.site import new_results
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 

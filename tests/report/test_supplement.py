@@ -18,8 +18,8 @@ from gspot_verified.paper.checks.paper import paper_hash
 from gspot_verified.paper.verify import PARTS
 from gspot_verified.report import write
 from gspot_verified.report.data import report_data
-from gspot_verified.report.parts.latex_program import PROGRAM, Pdf, pdf_of
 from gspot_verified.report.supplement import ERRATA_PAGES, THEOREMS, supplement
+from gspot_verified.report.write import PROGRAM, Pdf, pdf_of
 
 needs_latex = pytest.mark.skipif(shutil.which(PROGRAM) is None, reason=f"there is no {PROGRAM} here")
 HOSTILE = r"}\input{/etc/passwd} \end{document} 50 % & #1 $ ^^5c é ☃ \\ _^~<>"

@@ -7,13 +7,11 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, refuse
-from gspot_verified.cli.approach_output import components, show_approach
+from gspot_verified.cli.app import JsonFlag, Scheduler, TableOutput, Workers, app, print_json, refuse
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName, Settings
-from gspot_verified.cli.load import load_with_settings
+from gspot_verified.cli.load import components, load_with_settings, show_approach
 from gspot_verified.cli.table_output import TableRun, write_approach_table
-from gspot_verified.cli.work_options import Scheduler, TableOutput, Workers
 
 _STATE = 'The state, "phi=phi_ref + 1/10,phi_dot=-9/10": all components, or all but the two that y = v = 0 determine.'
 

@@ -140,7 +140,7 @@ def verdict(
     (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of Case III with this β; ε0
     is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is printed then.
     """
-    from gspot_verified.cli.approach_output import components
+    from gspot_verified.cli.load import components
     from gspot_verified.expansion.from_state.limit_side import LimitSide, limit_side
     from gspot_verified.expansion.from_state.model_side import ModelSide, model_side
     from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side

@@ -9,12 +9,22 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, counted, print_json, refuse, warn
+from gspot_verified.cli.app import (
+    JournalFile,
+    JsonFlag,
+    Scheduler,
+    TableOutput,
+    Workers,
+    app,
+    counted,
+    print_json,
+    refuse,
+    warn,
+)
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 from gspot_verified.cli.table_output import TableRun, write_classified_table
-from gspot_verified.cli.work_options import JournalFile, Scheduler, TableOutput, Workers
 from gspot_verified.numbers.counted import done_of
 
 if TYPE_CHECKING:
@@ -90,7 +100,7 @@ def classify(
             "--from follows slip from that state, as approach does, and lists no G-spots",
             {"--all": everywhere, "--box": box, "--budget": budget, "--verbose": verbose},
         )
-        from gspot_verified.cli.approach_output import show_approach
+        from gspot_verified.cli.load import show_approach
 
         show_approach(load_with_settings(name, settings), from_state, None, as_json)
     from gspot_verified.mechanisms.spots.classify import classify as classify_mechanism

@@ -205,10 +205,8 @@ def _report_on(
     budget: int | None,
     as_json: bool,
 ) -> NoReturn:
-    from gspot_verified.cli.approach_output import components
-    from gspot_verified.cli.load import given_values
-    from gspot_verified.report.mechanism.mechanism_report import check_not_replaced, mechanism_report
-    from gspot_verified.report.mechanism.page import PAGE, write_pages
+    from gspot_verified.cli.load import components, given_values
+    from gspot_verified.report.mechanism.mechanism_report import PAGE, check_not_replaced, mechanism_report, write_pages
 
     outputs = Outputs()
     outputs.folder("--output", folder)

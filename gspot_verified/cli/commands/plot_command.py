@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gspot_verified.cli.app import app, progress, refuse
-from gspot_verified.cli.approach_output import components
 from gspot_verified.cli.command_groups import example
-from gspot_verified.cli.load import load_with_settings
+from gspot_verified.cli.load import components, load_with_settings
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:

@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, counted, print_json_with_rows
-from gspot_verified.cli.approach_output import components
+from gspot_verified.cli.app import JournalFile, JsonFlag, Scheduler, Workers, app, counted, print_json_with_rows
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.approach_command import Surface
 from gspot_verified.cli.commands.mechanism_commands import MechanismName
+from gspot_verified.cli.load import components
 from gspot_verified.cli.output import PICTURES, Outputs
-from gspot_verified.cli.work_options import JournalFile, Scheduler, Workers
 from gspot_verified.numbers.counted import done_of
 from gspot_verified.work.draft import draft
 

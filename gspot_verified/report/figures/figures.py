@@ -13,16 +13,19 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from flint import fmpq
+
 from gspot_verified.report.figures.atlas import atlas_picture
-from gspot_verified.report.figures.count_law_figure import count_law_picture
 from gspot_verified.report.figures.force_figure import force_picture
 from gspot_verified.report.figures.second_trajectory_figure import second_trajectory_picture
 from gspot_verified.report.figures.side_map import coarse_side_map
 from gspot_verified.report.figures.uniform_figure import uniform_picture
 from gspot_verified.report.pictures.canvas import (
+    BLUE,
     COLOURS,
     GREEN,
     INK,
+    ORANGE,
     STYLES,
     VERMILION,
     Picture,
@@ -30,6 +33,7 @@ from gspot_verified.report.pictures.canvas import (
     picture,
     styled,
 )
+from gspot_verified.signs.gamma.count_law import negative_zeros, number_of_zeros, positive_zeros
 from gspot_verified.signs.gamma.side import side
 from gspot_verified.signs.zeros.zeros import zeros_on_range
 
@@ -38,7 +42,7 @@ if TYPE_CHECKING:
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from flint import arb, fmpq
+from flint import arb
 
 from gspot_verified.numbers.balls import (
     ball,
@@ -54,6 +58,36 @@ from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 from gspot_verified.theta_function.theta import theta
 from gspot_verified.theta_function.value.routes import theta_by
+
+_LAST = 12  # end of the range of beta
+
+
+@styled
+def count_law_picture() -> Picture:
+    """The positive and the negative zeros on each open interval between integers, and all zeros at the integers."""
+    figure = canvas(3.4)
+    axes = figure.add_subplot()
+    middles = [fmpq(2 * m + 1, 2) for m in range(_LAST)]
+    at = [float(beta.p) / float(beta.q) for beta in middles]
+    positive, negative = [positive_zeros(b) for b in middles], [negative_zeros(b) for b in middles]
+    axes.bar(at, positive, width=0.94, color=BLUE, alpha=0.8, label="τ > 0")
+    axes.bar(at, negative, width=0.94, bottom=positive, color=ORANGE, alpha=0.8, hatch="//", label="τ < 0")
+    integers = range(1, _LAST + 1)
+    axes.plot(integers, [number_of_zeros(n) for n in integers], "o", color=INK, label="β an integer: all, τ = 0 too")
+    axes.set(xlabel="β", ylabel="real zeros of dΘ/dτ", xlim=(0, _LAST + 0.3), xticks=range(_LAST + 1))
+    axes.set_yticks(range(max(map(sum, zip(positive, negative, strict=True))) + 2))
+    axes.legend(loc="upper left", ncols=3)
+    return picture(
+        figure,
+        "count_law",
+        "The count law: how many real zeros dΘ/dτ has",
+        f"Certified: the number for every β in (0, {_LAST}], by the count law (proofs/count_law.md). It is the same on "
+        f"each of the {_LAST} open intervals between integers (bars; all zeros are simple there); at the integers "
+        "different zeros are counted once each (dots). On (0, 1) there are none. Not shown: larger β, for which the "
+        "law holds, too.",
+        "Bars that grow by one at beta = 1, 4, 7, 10, with one more in each third interval, for a negative zero.",
+    )
+
 
 _DIGITS_PER_BIT = math.log10(2)  # relative_bits counts in bits
 _BOX_BITS = 6  # an enclosure with so many certain bits is narrow: its box is not halved again

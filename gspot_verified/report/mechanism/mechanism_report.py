@@ -1,19 +1,58 @@
-"""The report on the user's own mechanism."""
+"""The report on the user's own mechanism: one HTML file that loads nothing from elsewhere, and the files beside it."""
 
 from __future__ import annotations
 
+import base64
+import json
 import os
+import re
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from gspot_verified.mechanisms.input.mechanism import MechanismError, exact_rational
 from gspot_verified.mechanisms.load import mechanism_text
 from gspot_verified.numbers.balls import ExactInput
-from gspot_verified.report.mechanism.page import WRITTEN, write_pages
 from gspot_verified.report.mechanism.report import MechanismReport, report_on
 from gspot_verified.report.mechanism.runs import State, check_state, report_scene
 from gspot_verified.report.mechanism.subject import Source
+from gspot_verified.report.pictures.canvas import Picture
+from gspot_verified.report.site import rendered, style
+from gspot_verified.report.write import make_folder, replace_file
 from gspot_verified.scenes.scene.file import files_read
+
+PAGE, DATA = "mechanism.html", "mechanism.json"
+WRITTEN = re.compile(r"(mechanism\.(toml|html|json)|scene\.toml|g-spot-[0-9]+.*)")
+"""The names of the files of a report."""
+SCHEMA = "gspot-verified/mechanism-report/1"
+
+
+def mechanism_page(report: MechanismReport) -> str:
+    """The page, with its style and its pictures inside."""
+    return rendered("mechanism", report=report, style=style(), drawn=_address, data_file=DATA)
+
+
+def write_pages(report: MechanismReport, directory: Path) -> Path:
+    """Write the page, ``mechanism.json``, the mechanism files and the certificates; returns the path of the page.
+
+    Each file is replaced in one step, the page last.
+
+    :raises OSError: a file or folder cannot be written.
+    """
+    page = mechanism_page(report)
+    make_folder(directory)
+    for name, content in report.files:
+        replace_file(directory / name, content)
+    for certificate in report.certificates:
+        replace_file(directory / certificate.name, certificate.content)
+    data = json.dumps({**report.to_json(), "schema": SCHEMA}, indent=1, sort_keys=True, ensure_ascii=False)
+    replace_file(directory / DATA, f"{data}\n".encode())
+    return replace_file(directory / PAGE, page.encode())
+
+
+def _address(picture: Picture) -> str:
+    """The picture itself as the address of an image."""
+    return "data:image/svg+xml;base64," + base64.b64encode(picture.svg.encode()).decode()
+
 
 FILE = "mechanism.toml"
 """The name of the copy of the mechanism's file beside the page."""

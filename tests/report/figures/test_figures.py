@@ -1,3 +1,5 @@
+from __future__ import annotations
+
 import io
 import re
 import subprocess
@@ -58,3 +60,23 @@ original = figures.slope_boxes
 def test_importing_the_report_loads_no_matplotlib():
     code = "import sys, gspot_verified.report; sys.exit('matplotlib' in sys.modules or 'jinja2' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_the_bars_are_those_of_the_law(monkeypatch) -> None:
+    drawn = {}
+    original = figures.picture
+
+    def kept(figure, *texts):
+        [axes] = figure.axes
+        drawn["bars"] = [[bar.get_height() for bar in container] for container in axes.containers]
+        drawn["dots"] = list(axes.lines[0].get_ydata())
+        return original(figure, *texts)
+
+    monkeypatch.setattr(figures, "picture", kept)
+    found = figures.count_law_picture()
+    positive, negative = drawn["bars"]
+    assert positive == [0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4]
+    assert negative == [0, 0, 1] * 4
+    # β = n, n - 1 = 3s + r: s positive zeros, and τ = 0 for r > 0.
+    assert drawn["dots"] == [0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4]
+    assert re.search(r"12\W open intervals|12 open intervals", found.caption)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import pytest
 from flint import fmpq
 
 from gspot_verified.report.figures import force_figure
+from gspot_verified.report.figures.force_figure import ThresholdPoint, threshold_picture, threshold_points
 
 
 def test_curves_approach_leading_order_from_above() -> None:
@@ -28,3 +30,24 @@ def test_the_sign_follows_the_cell() -> None:
 def test_the_excess_lies_inside_its_bound() -> None:
     excess, bound = force_figure._tube(force_figure.grid(-2, 2, 2))
     assert all(0 < one < other for one, other in zip(excess, bound, strict=True))
+
+
+def test_the_caption_counts() -> None:
+    points = [*threshold_points([fmpq(3, 2), fmpq(21, 4)]), ThresholdPoint(fmpq(7, 2), fmpq(2), fmpq(1), fmpq(3))]
+    found = threshold_picture(points)
+    assert "at 3 values" in found.caption
+    assert "at most 200.00 %" in found.caption
+    assert "at leading order at 1 of them, and certainly smaller at 1;" in found.caption
+    assert found.svg.startswith("<svg")
+    assert found.png.startswith(b"\x89PNG")
+
+
+def test_points_lie_where_they_are_known() -> None:
+    (point,) = threshold_points([fmpq(7, 2)])
+    assert point.lower <= fmpq(1289908164, 10**11) <= point.upper
+    assert point.upper - point.lower < point.lower / 1000
+
+
+def test_no_points() -> None:
+    with pytest.raises(ValueError, match="no points"):
+        threshold_picture([])

@@ -16,9 +16,10 @@ from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.mechanisms.approach.slip_state import StateError
 from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
-from gspot_verified.report.mechanism import certified_force, local_parts, report, runs
+from gspot_verified.report.mechanism import certified_force, report, runs
 from gspot_verified.report.mechanism.certified_force import force_part, zeros_part
-from gspot_verified.report.mechanism.local_parts import (
+from gspot_verified.report.mechanism.part import ReportPart, attempted, outcome_of
+from gspot_verified.report.mechanism.report import (
     exact_side_part,
     expansion_part,
     expansion_picture_part,
@@ -26,7 +27,6 @@ from gspot_verified.report.mechanism.local_parts import (
     side_part,
     true_solutions_part,
 )
-from gspot_verified.report.mechanism.part import ReportPart, attempted, outcome_of
 from gspot_verified.report.mechanism.runs import chosen_run, chosen_state, report_scene, scene_parts, slip_part
 from gspot_verified.report.mechanism.subject import Source, Subject
 from gspot_verified.report.pictures.canvas import Picture
@@ -92,7 +92,7 @@ def test_balls_of_beta_lie_in_the_range_of_the_command(
 ) -> None:
     for subject in (in_balls, second_case):
         side, zeros = side_part(subject), zeros_part(subject)
-        lower, upper = local_parts.beta_ends(subject.classified.beta)  # type: ignore[arg-type]
+        lower, upper = report.beta_ends(subject.classified.beta)  # type: ignore[arg-type]
         assert lower < subject.classified.beta < upper  # type: ignore[operator]
         assert side.commands == (f"gspot-verified side {lower} {upper}",)
         assert f"{lower}..{upper}" in zeros.commands[0]
@@ -129,7 +129,7 @@ def test_the_picture_is_that_of_the_expansion_that_is_shown(
     def drawn(trajectory: Trajectory) -> Picture:
         return Picture("expansion", f"order {trajectory.order}", "caption", "", "<svg></svg>", b"")
 
-    monkeypatch.setattr(local_parts, "expansion_picture", drawn)
+    monkeypatch.setattr(report, "expansion_picture", drawn)
     for subject, order in ((exact, 6), (integer, 4)):
         part = expansion_picture_part(subject)
         assert part.title == f"order {order}"
@@ -165,14 +165,14 @@ def test_true_solutions(
     exact: Subject, in_balls: Subject, printed: Callable[[Source, str], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     said: list[str] = []
-    monkeypatch.setattr(local_parts, "_DELTAS", ("1/5", "1/50"))
+    monkeypatch.setattr(report, "_DELTAS", ("1/5", "1/50"))
     part = true_solutions_part(exact, -1, "lift-off", said.append)
     assert len(said) == 2
     assert part.outcome is Outcome.PROVED
     assert part.commands == ("gspot-verified expand mechanism.toml --order 8 --side=-1,1/50",)
     output = printed(exact.source, part.commands[0])
     assert says_the_same(part, output[output.rindex("model system:") :])
-    monkeypatch.setattr(local_parts, "_DELTAS", ("1/5",))
+    monkeypatch.setattr(report, "_DELTAS", ("1/5",))
     open_part = true_solutions_part(exact, -1, "lift-off", said.append)
     assert open_part.outcome is Outcome.UNDECIDED
     assert "undecided" in open_part.text

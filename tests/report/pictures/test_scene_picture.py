@@ -11,8 +11,14 @@ from flint import fmpq
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.report.pictures.canvas import canvas
-from gspot_verified.report.pictures.scene_picture import caption, legend_above, panels_of, scene_picture
-from gspot_verified.report.pictures.scene_prediction import canard, scaled_theta
+from gspot_verified.report.pictures.scene_picture import (
+    canard,
+    caption,
+    legend_above,
+    panels_of,
+    scaled_theta,
+    scene_picture,
+)
 from gspot_verified.scenes.certified_run import certified_run, with_boxes
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene

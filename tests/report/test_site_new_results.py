@@ -11,9 +11,8 @@ from gspot_verified.paper.checks.entry import Check, Rung, settled
 from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
 from gspot_verified.paper.verify import PARTS
 from gspot_verified.report.data import report_data
-from gspot_verified.report.parts.new_results import MACHINE_CHECKED, new_results
 from gspot_verified.report.parts.proof_page import PROOFS
-from gspot_verified.report.site import pages
+from gspot_verified.report.site import MACHINE_CHECKED, new_results, pages
 
 RESULTS = {result.key: result for result in new_results()}
 OF_THE_PROGRAM = [result for result in RESULTS.values() if result.command.startswith("gspot-verified ")]

@@ -9,7 +9,7 @@ import pytest
 from gspot_verified.paper.section_3 import section_3
 from gspot_verified.paper.section_6 import section_6
 from gspot_verified.paper.verify import PARTS, code_of
-from gspot_verified.report.parts.code_page import code_address, code_page
+from gspot_verified.report.site import code_address, code_page
 
 
 @pytest.mark.parametrize("module", [section_3, section_6])
