@@ -17,7 +17,7 @@ from gspot_verified.cost.benchmarks.expand import ExpandCost
 from gspot_verified.cost.benchmarks.sign import SignCost
 from gspot_verified.cost.benchmarks.theta import CostReport
 from gspot_verified.cost.measurement.measurement import Measurement
-from gspot_verified.cost.times.benchmark import Benchmark
+from gspot_verified.cost.times.rows import Benchmark
 from gspot_verified.expansion.from_state.limit_side import LimitSide
 from gspot_verified.expansion.from_state.model_side import ModelSide
 from gspot_verified.expansion.residual import ResidualBounds

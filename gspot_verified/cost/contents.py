@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, TimedRoute
 from gspot_verified.cost.parts import scene_runs
 from gspot_verified.cost.parts.checked_proofs import CHECKER, FORMAL
 from gspot_verified.cost.parts.expansion_orders import EXPANSIONS

@@ -17,8 +17,7 @@ import flint
 
 from gspot_verified.cost.contents import blueprints
 from gspot_verified.cost.measurement.contest import FULL, QUICK
-from gspot_verified.cost.measurement.file import SCHEMA
-from gspot_verified.cost.measurement.kept_parts import KeptParts
+from gspot_verified.cost.measurement.file import SCHEMA, KeptParts
 from gspot_verified.cost.measurement.measurement import FILES, Measurement, Part, files_key
 from gspot_verified.cost.parts.cheap_answers import answers
 from gspot_verified.cost.times.measure import machine_load

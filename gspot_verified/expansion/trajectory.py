@@ -1,21 +1,22 @@
-"""The distinguished trajectory of Theorem 1 up to a given order, as a frozen result.
+"""The distinguished trajectory of Theorem 1 up to a given order, as a frozen result: exact, or in balls.
 
 Its value at a point: in balls, or exactly where balls of all precisions tried are wide.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, TypeVar
 
 from flint import arb, arb_poly, fmpq, fmpq_poly
 
-from gspot_verified.expansion.accuracy import Accuracy, certain_bits, until_accurate
 from gspot_verified.expansion.series.legend import DELTA_FACTORS, SCALES, InTwo, in_two, latex_left_side, left_side
 from gspot_verified.expansion.series.recursion import Recursion
 from gspot_verified.expansion.series.spaces import SpacePolynomial
-from gspot_verified.expansion.series.system import System
+from gspot_verified.expansion.series.system import SymbolsError, System
 from gspot_verified.expansion.text import (
     LATEX,
     PLAIN,
@@ -26,8 +27,148 @@ from gspot_verified.expansion.text import (
     times_power,
 )
 from gspot_verified.expansion.time_series import Table, TimeSeries
-from gspot_verified.numbers.balls import ExactInput, ball, bits_for_digits, exact, relative_bits, working_bits
+from gspot_verified.functions.rings import BALLS
+from gspot_verified.numbers.balls import (
+    MAX_WORKING_BITS,
+    ExactInput,
+    ball,
+    bits_for_digits,
+    exact,
+    relative_bits,
+    working_bits,
+)
+from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
+
+_LEAST_BITS = 32  # a limit of input: ValueError beyond it
+_MOST_BITS = 1_000_000  # a limit of input: ValueError beyond it
+
+
+def expand_in_balls(
+    system: System, order: int, bits: int, progress: Callable[[int, int], None] | None = None
+) -> Trajectory:
+    """The terms as balls, computed with ``bits`` working bits, whatever the numbers of the system.
+
+    Exact coefficients of order n have about n^2 bits; balls have as many at every order, so that high orders cost a
+    small part of the time. ``accuracy.certain_bits`` says what is left of the bits.
+
+    :raises TypeError: ``order`` is not an int.
+    :raises SymbolsError: the numbers of the system are symbols.
+    :raises ValueError: ``order`` is not in 1..2000, or ``bits`` not in 32..10^6.
+
+    >>> from gspot_verified.testing import extended_example
+    >>> trajectory = expand_in_balls(extended_example(chi=1), 7, 100)
+    >>> trajectory.p[6].coefficients()[1].contains(-96), trajectory.accuracy.certain_bits > 80
+    (True, True)
+    """
+    order = checked_order(order)
+    if type(bits) is not int or not _LEAST_BITS <= bits <= _MOST_BITS:
+        raise ValueError(f"bits must be an int in {_LEAST_BITS}..{_MOST_BITS}, got {bits!r}")
+    trajectory = terms_of(_in_balls(system, bits), order, bits, progress)
+    certain = certain_bits_of(trajectory)
+    assert certain is not None
+    digits = max(1, math.floor((certain - 1) / math.log2(10)))
+    return replace(trajectory, accuracy=Accuracy(digits, certain, bits, 1))
+
+
+def _in_balls(system: System, bits: int) -> System:
+    """The same system with balls for its numbers."""
+    if not all(isinstance(value, fmpq | arb | int) for value in system.point):
+        raise SymbolsError("balls need numbers: put numbers in the place of the symbols")
+    with working_bits(bits):
+        return replace(system, ring=BALLS, point=tuple(arb(value) for value in system.point))
+
+
+_COMPARED_BITS = 64  # for sizes alone
+_LEAST_GAIN = 4  # certain bits that an attempt must win, or it was the last
+_ROOM = 32  # bits beyond those that were missing
+_MOST_TIMES_FIRST = 16  # the first precision, against endless work; then AccuracyWarning
+
+T = TypeVar("T")
+
+
+class AccuracyWarning(UserWarning):
+    """A result in balls is valid, and wider than was asked."""
+
+
+@dataclass(frozen=True, slots=True)
+class Accuracy(NoTruthValue, Written):
+    """What was asked and what was reached.
+
+    ``certain_bits`` is that of the least accurate coefficient, see :func:`certain_bits`. ``attempts`` counts how often
+    the expansion was computed.
+    """
+
+    ask: ClassVar[str] = ".reached says whether the asked accuracy was reached"
+    written: ClassVar[str] = "digits reached certain_bits working_bits"
+
+    digits: int
+    certain_bits: int
+    working_bits: int
+    attempts: int
+
+    @property
+    def reached(self) -> bool:
+        """Whether every coefficient has the asked accuracy."""
+        return self.certain_bits >= bits_for_digits(self.digits)
+
+    def __str__(self) -> str:
+        bits = f"the least accurate coefficient has {max(self.certain_bits, 0)} certain bits"
+        if self.reached:
+            return f"accuracy of {self.digits} digits reached: {bits}"
+        return f"ACCURACY NOT REACHED: {self.digits} digits were asked, {bits}"
+
+
+def certain_bits(orders: Iterable[Sequence[arb]]) -> int:
+    """The certain bits of the least accurate coefficient; ``orders`` has the coefficients of each order of delta.
+
+    A coefficient that is certainly not zero counts relative to itself. One whose ball holds zero counts relative to
+    the largest coefficient of its order and the orders before: it may be exactly zero.
+
+    >>> from flint import fmpq
+    >>> with working_bits(60):
+    ...     certain_bits([[arb(1000)], [arb(1, fmpq(1, 1024)), arb(0, fmpq(1, 1024))]])
+    9
+    """
+    worst, scale = MAX_WORKING_BITS, arb(0)
+    with working_bits(_COMPARED_BITS):
+        for coefficients in orders:
+            for value in coefficients:
+                if not value.is_finite():
+                    return -MAX_WORKING_BITS
+                scale = max(scale, value.abs_lower().lower())  # exact numbers: their order is certain
+            for value in coefficients:
+                holds_zero = value.contains(0) and not value.is_exact()
+                worst = min(worst, relative_bits(arb(scale, value.rad()) if holds_zero else value))
+    return worst
+
+
+def until_accurate(
+    attempt: Callable[[int], tuple[T, int | None]], digits: int, first_bits: int
+) -> tuple[T, Accuracy | None]:
+    """``attempt(bits)`` with more bits each time, until its result has the asked digits or more bits do not help.
+
+    ``attempt`` gives a result and its :func:`certain_bits`, or None where the result is exact. Where the accuracy is
+    not reached an :class:`AccuracyWarning` says so.
+    """
+    goal, bits, attempts = bits_for_digits(digits), first_bits, 1
+    result, certain = attempt(bits)
+    while certain is not None and certain < goal:
+        following = min(bits + goal - certain + _ROOM, 4 * bits)
+        if following > _MOST_TIMES_FIRST * first_bits:
+            break
+        better, more = attempt(following)
+        attempts += 1
+        if more is None or more < certain + _LEAST_GAIN:
+            break
+        result, certain, bits = better, more, following
+    if certain is None:
+        return result, None
+    accuracy = Accuracy(digits, certain, bits, attempts)
+    if not accuracy.reached:
+        warnings.warn(str(accuracy), AccuracyWarning, stacklevel=3)
+    return result, accuracy
+
 
 _LOST_BITS = 10  # that a value may lack before more are used
 _PRECISIONS = (1, 2, 4, 8)

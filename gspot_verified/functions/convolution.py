@@ -1,13 +1,36 @@
-"""The product of two power series in delta, one order at a time, as the terms of its factors become known."""
+"""Power series in delta, one order at a time, and their products, as the terms of the factors become known."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Protocol
 
 from flint import fmpq
 
 from gspot_verified.functions.rings import Ring
-from gspot_verified.functions.series import Series
+
+
+class Series:
+    """All terms by order, and under their orders those that do not vanish; both grow."""
+
+    __slots__ = ("_vanishes", "nonzero", "terms")
+
+    def __init__(self, vanishes: Callable[[Any], bool]) -> None:
+        self._vanishes = vanishes
+        self.terms: list[Any] = []
+        self.nonzero: dict[int, Any] = {}
+
+    def append(self, term: Any) -> None:
+        """Add the term of the next order."""
+        if not self._vanishes(term):
+            self.nonzero[len(self.terms)] = term
+        self.terms.append(term)
+
+    def drop_last(self) -> None:
+        """Forget the term of the last order."""
+        self.terms.pop()
+        self.nonzero.pop(len(self.terms), None)
+
 
 Weights = tuple[fmpq, fmpq]
 """(a, b): f_j g_k counts a j + b k times, as in a (delta df/ddelta) g + b f (delta dg/ddelta)."""

@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 from flint import fmpq
 
-from gspot_verified.functions.convolution import Convolution, Weights
+from gspot_verified.functions.convolution import Convolution, Series, Weights
 from gspot_verified.functions.expressions import (
     Constant,
     Cosine,
@@ -26,7 +26,6 @@ from gspot_verified.functions.expressions import (
     in_order,
 )
 from gspot_verified.functions.rings import Ring
-from gspot_verified.functions.series import Series
 
 
 class Terms(Protocol):

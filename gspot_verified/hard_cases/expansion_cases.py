@@ -13,9 +13,8 @@ from typing import Any
 import numpy as np
 from flint import arb, fmpq
 
-from gspot_verified.expansion.in_balls import expand_in_balls
 from gspot_verified.expansion.series.system import GSpotError, System
-from gspot_verified.expansion.trajectory import Trajectory, terms_of
+from gspot_verified.expansion.trajectory import Trajectory, expand_in_balls, terms_of
 from gspot_verified.expansion.true_solutions.bound import UniformBound, uniform_bound
 from gspot_verified.hard_cases.double import double_text
 from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed

@@ -24,7 +24,7 @@ def expand(
     """The terms of orders 0..order-1 of delta of the distinguished trajectory at the G-spot; paper, Theorem 1.
 
     Exact coefficients where the G-spot is rational, rational functions where a parameter has no value, else balls.
-    Balls have the asked ``digits`` (see :class:`expansion.accuracy.Accuracy`): the precision is raised, and with it the
+    Balls have the asked ``digits`` (see :class:`expansion.trajectory.Accuracy`): the precision is raised, and with it the
     box of the G-spot. Where that does not help (a system whose numbers are balls already) the result is valid, its
     ``accuracy.reached`` is False, and an ``AccuracyWarning`` is given. ``progress`` is told (orders done, orders).
 
@@ -45,9 +45,15 @@ def expand(
     True
     """
     # Imported here: this module is part of `import gspot_verified`, which stays quick.
-    from gspot_verified.expansion.accuracy import until_accurate
     from gspot_verified.expansion.series.system import System
-    from gspot_verified.expansion.trajectory import certain_bits_of, checked_order, expand_system, first_bits, terms_of
+    from gspot_verified.expansion.trajectory import (
+        certain_bits_of,
+        checked_order,
+        expand_system,
+        first_bits,
+        terms_of,
+        until_accurate,
+    )
     from gspot_verified.mechanisms.input.mechanism import Mechanism
     from gspot_verified.mechanisms.spots.chosen_spot import at_spot
     from gspot_verified.mechanisms.spots.g_spot import find_g_spot
@@ -79,6 +85,6 @@ def expand(
 
 
 def _in_balls(system: System, order: int, bits: int, progress: Callable[[int, int], None] | None) -> Trajectory:
-    from gspot_verified.expansion.in_balls import expand_in_balls
+    from gspot_verified.expansion.trajectory import expand_in_balls
 
     return expand_in_balls(system, order, bits, progress)

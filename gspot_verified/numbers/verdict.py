@@ -8,8 +8,7 @@ from typing import ClassVar, NoReturn
 
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
-from gspot_verified.numbers.shown import Shown
-from gspot_verified.numbers.written import ByName, Written
+from gspot_verified.numbers.written import ByName, Shown, Written
 
 
 class Outcome(enum.Enum):

@@ -13,9 +13,8 @@ from flint import arb, fmpq
 from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.mechanisms.input.toml_table import toml_table
 from gspot_verified.numbers.balls import ball_text
-from gspot_verified.numbers.shown import Shown
 from gspot_verified.numbers.verdict import NoTruthValue, Verdict
-from gspot_verified.numbers.written import Written
+from gspot_verified.numbers.written import Shown, Written
 from gspot_verified.scenes.floats.float_run import METHODS
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.scene import Scene, SceneError

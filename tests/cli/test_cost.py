@@ -13,8 +13,7 @@ from gspot_verified.cli import main
 from gspot_verified.cli.app import schema_name
 from gspot_verified.cli.schema import schema_of
 from gspot_verified.cost import run as chapter
-from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, TimedRoute
 from gspot_verified.cost.measurement.file import load, recorded, written
 from gspot_verified.cost.measurement.measurement import CERTIFIED
 

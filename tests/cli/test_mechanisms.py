@@ -193,9 +193,9 @@ def test_digits_of_an_expansion_in_balls(capsys: pytest.CaptureFixture[str]) -> 
 def test_accuracy_that_is_not_reached_is_said_on_stderr_and_by_the_exit_code(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from gspot_verified.expansion import accuracy
+    from gspot_verified.expansion import trajectory
 
-    monkeypatch.setattr(accuracy, "certain_bits", lambda _: 7)
+    monkeypatch.setattr(trajectory, "certain_bits", lambda _: 7)
     monkeypatch.setattr("gspot_verified.expansion.trajectory.certain_bits", lambda _: 7)
     code, out, err = run(capsys, "expand", "frictional impact oscillator, all parameters", "--order", "3")
     assert code == 2

@@ -17,8 +17,7 @@ from gspot_verified.cli.app import app, schema_name
 from gspot_verified.cli.main import load_commands
 from gspot_verified.cli.schema import RESULTS, Schema, schema_of
 from gspot_verified.cost.benchmarks.theta import CostReport
-from gspot_verified.cost.times.curves import TimeCurve
-from gspot_verified.cost.times.rows import Row, Target
+from gspot_verified.cost.times.rows import Row, Target, TimeCurve
 from gspot_verified.paper.section_4_5 import cases
 from gspot_verified.report.check_again import CheckedAgain
 from gspot_verified.report.write import Supplement

@@ -13,7 +13,7 @@ from gspot_verified.cost.measurement import contest
 from gspot_verified.cost.measurement.contest import QUICK, TimedRoute
 from gspot_verified.cost.measurement.measurement import FILES, Part, Route
 from gspot_verified.cost.parts import slow_solution_digits
-from gspot_verified.cost.parts.ode import ode_value, ode_zeros, right_decimals
+from gspot_verified.cost.parts.theta_digits import ode_value, ode_zeros, right_decimals
 from gspot_verified.cost.run import machine, versions
 from gspot_verified.cost.times.baseline import right_digits
 from gspot_verified.numbers.balls import approximate

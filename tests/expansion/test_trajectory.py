@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from dataclasses import FrozenInstanceError, replace
 from fractions import Fraction
 from typing import Any
@@ -11,11 +12,20 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
+from samples.strategies import holds, to_fraction
 
+from gspot_verified import expand
 from gspot_verified.expansion.series.spaces import SpacePolynomial
-from gspot_verified.expansion.trajectory import expand_system
+from gspot_verified.expansion.trajectory import (
+    AccuracyWarning,
+    certain_bits,
+    expand_in_balls,
+    expand_system,
+    until_accurate,
+)
 from gspot_verified.functions.rings import BALLS
-from gspot_verified.numbers.balls import current_bits, working_bits
+from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.numbers.balls import bits_for_digits, current_bits, working_bits
 from gspot_verified.testing import extended_example
 
 EXAMPLE = expand_system(extended_example(1), 7)
@@ -133,3 +143,105 @@ def test_a_term_outside_its_space_has_no_time_form() -> None:
     wrong = (SpacePolynomial.from_list(0, [1]), *EXAMPLE.b[1:])
     with pytest.raises(ArithmeticError, match="no counterpart"):
         replace(EXAMPLE, b=wrong).in_time()
+
+
+def test_certain_bits_of_a_coefficient_and_of_one_that_may_be_zero() -> None:
+    narrow, wide = arb((1, 0), (1, -40)), arb((1, 0), (1, -20))
+    assert certain_bits([[arb(1)]]) > 10**6  # exact
+    assert 39 <= certain_bits([[narrow]]) <= 41
+    assert 19 <= certain_bits([[narrow, wide]]) <= 21
+    assert 19 <= certain_bits([[wide], [narrow]]) <= 21
+    # [+-2^-40] beside 2^10: relative to the largest coefficient so far, not to later ones.
+    assert 49 <= certain_bits([[arb((1, 10))], [arb(0, fmpq(1, 2**40))]]) <= 51
+    assert certain_bits([[arb(0, fmpq(1, 2**40))], [arb((1, 10))]]) <= 0
+    assert certain_bits([[arb("nan")]]) < -(10**6)
+    assert certain_bits([[arb("inf")], [arb(1)]]) < -(10**6)
+
+
+def test_the_working_precision_of_the_caller_does_not_matter() -> None:
+    with working_bits(2):
+        assert 39 <= certain_bits([[arb((2**50 + 1, -50), (1, -40))]]) <= 41
+
+
+def test_bits_are_raised_until_they_suffice() -> None:
+    asked: list[int] = []
+
+    def attempt(bits: int) -> tuple[str, int | None]:
+        asked.append(bits)
+        return f"with {bits}", bits - 300  # 300 bits are lost
+
+    result, accuracy = until_accurate(attempt, 30, 200)
+    assert accuracy is not None
+    assert accuracy.reached
+    assert accuracy.certain_bits >= bits_for_digits(30)
+    assert (accuracy.attempts, accuracy.working_bits) == (2, asked[-1])
+    assert result == f"with {asked[-1]}"
+
+
+def test_where_more_bits_do_not_help_it_is_said_and_not_tried_for_ever() -> None:
+    asked: list[int] = []
+
+    def attempt(bits: int) -> tuple[int, int | None]:
+        asked.append(bits)
+        return bits, 3
+
+    with pytest.warns(AccuracyWarning, match="ACCURACY NOT REACHED: 15 digits were asked, .* 3 certain bits"):
+        _, accuracy = until_accurate(attempt, 15, 100)
+    assert accuracy is not None
+    assert not accuracy.reached
+    assert accuracy.to_json()["reached"] is False
+    assert len(asked) == 2
+
+
+def test_the_bits_are_bounded() -> None:
+    asked: list[int] = []
+
+    def attempt(bits: int) -> tuple[int, int | None]:
+        asked.append(bits)
+        return bits, -(10**6) + 5 * len(asked)
+
+    with pytest.warns(AccuracyWarning):
+        until_accurate(attempt, 15, 100)
+    assert max(asked) <= 16 * 100
+    assert len(asked) <= 3
+
+
+def test_an_exact_result_is_found_once_without_a_word() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert until_accurate(lambda bits: (bits, None), 15, 100) == (100, None)
+
+
+@pytest.mark.parametrize("name", ["extended system", "oscillator"])
+def test_every_exact_coefficient_is_in_its_ball(name: str) -> None:
+    mechanism = shipped_mechanism(name)
+    exact, balls = expand(mechanism, 30), expand(mechanism, 30, bits=150)
+    assert exact.accuracy is None
+    assert balls.accuracy is not None
+    assert balls.accuracy.certain_bits > 60
+    compared = 0
+    for key, rows in exact.terms().items():
+        for term, other in zip(rows, balls.terms()[key], strict=True):
+            numbers, enclosures = term.coefficients(), other.coefficients()
+            enclosures += [0] * (len(numbers) - len(enclosures))
+            for number, enclosure in zip(numbers, enclosures, strict=False):
+                compared += 1
+                assert number == 0 if isinstance(enclosure, int) else holds(enclosure, to_fraction(number))
+            for enclosure in enclosures[len(numbers) :]:
+                assert holds(enclosure, 0)
+    assert compared > 300
+    value, other = exact.evaluate(1, "1/20", 12), balls.evaluate(1, "1/20", 12)
+    assert all(value[key].overlaps(other[key]) for key in value)
+
+
+def test_a_system_in_balls_and_bad_input() -> None:
+    system = extended_example(chi=1)
+    assert holds(
+        expand_in_balls(system, 7, 80).p[6].coefficients()[1],
+        to_fraction(expand_system(system, 7).p[6].coefficients()[1]),
+    )
+    for bits in (31, 10**6 + 1, 64.0, True):
+        with pytest.raises(ValueError, match="bits must be"):
+            expand_in_balls(system, 7, bits)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="order"):
+        expand_in_balls(system, 0, 64)

@@ -7,9 +7,8 @@ from flint import arb, fmpq
 from samples.strategies import holds, to_fraction
 
 from gspot_verified.expansion.series.terms import NumberTerms
-from gspot_verified.functions.convolution import TermByTerm
+from gspot_verified.functions.convolution import Series, TermByTerm
 from gspot_verified.functions.rings import BALLS, RATIONALS
-from gspot_verified.functions.series import Series
 
 LEFT, RIGHT = [fmpq(2), fmpq(0), fmpq(-1, 3), fmpq(5)], [fmpq(1), fmpq(1, 2), fmpq(7)]
 

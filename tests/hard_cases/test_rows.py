@@ -10,7 +10,7 @@ from flint import arb, fmpq
 from hard_cases.truths import TRUTHS, Truth, exact
 from witnesses.theta import ends
 
-from gspot_verified.expansion.in_balls import expand_in_balls
+from gspot_verified.expansion.trajectory import expand_in_balls
 from gspot_verified.hard_cases import compliant_cases, expansion_cases
 from gspot_verified.hard_cases.family import families
 from gspot_verified.hard_cases.hard_case import RIGHT_DIGITS, HardCase, near

@@ -17,7 +17,7 @@ from witnesses.true_solutions import extended_motion
 from gspot_verified.compliant.model.normal_form import compliant_model
 from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.slow.grid import scale
-from gspot_verified.expansion.in_balls import expand_in_balls
+from gspot_verified.expansion.trajectory import expand_in_balls
 from gspot_verified.hard_cases import expansion_cases, fold_cases, theta_cases
 from gspot_verified.hard_cases.hard_case import near, nearest_double
 from gspot_verified.mechanisms.shipped import shipped_system

@@ -21,11 +21,11 @@ from gspot_verified.signs.zeros.integer_zeros import zeros_at_integer
 from gspot_verified.signs.zeros.zeros import zeros_on_range
 
 PLAIN = {
-    "cost.times.benchmark.Benchmark": "times that were measured",
+    "cost.times.rows.Benchmark": "times that were measured",
     "certificates.text.Statement": "what any statement has, not a class of results",
     "compliant.model.normal_form.CompliantModel": "four numbers of a model, which claim nothing",
     "cost.measurement.measurement.Measurement": "times that were measured",
-    "cost.times.curves.TimeCurve": "times that were measured",
+    "cost.times.rows.TimeCurve": "times that were measured",
     "cost.benchmarks.theta.CostReport": "times that were measured",
     "cost.benchmarks.expand.ExpandCost": "times that were measured",
     "cost.peers.external.ExternalTime": "times that were measured",

@@ -8,7 +8,7 @@ import pytest
 from flint import arb, fmpq
 
 import gspot_verified
-from gspot_verified.expansion.accuracy import AccuracyWarning
+from gspot_verified.expansion.trajectory import AccuracyWarning
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot

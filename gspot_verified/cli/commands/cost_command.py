@@ -12,7 +12,7 @@ from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.output import PICTURES, Outputs
 
 if TYPE_CHECKING:
-    from gspot_verified.cost.times.curves import TimeCurve
+    from gspot_verified.cost.times.rows import TimeCurve
 
 _SUBJECTS = ("all", "theta", "sign", "expand", "force", "mechanism", "simulate")
 _NAMES = ", ".join(f'"{name}"' for name in _SUBJECTS[:-1]) + f' or "{_SUBJECTS[-1]}"'
@@ -81,8 +81,7 @@ def cost(
 
 
 def _all_parts(full: bool, output: Path | None, outputs: Outputs, as_json: bool) -> None:
-    from gspot_verified.cost.measurement.file import save
-    from gspot_verified.cost.measurement.kept_parts import KeptParts
+    from gspot_verified.cost.measurement.file import KeptParts, save
     from gspot_verified.cost.measurement.text import measurement_text
     from gspot_verified.cost.run import measure_cost, question
 

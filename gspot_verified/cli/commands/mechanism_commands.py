@@ -180,7 +180,7 @@ def expand(
     Coefficients are balls of the asked digits where the G-spot is not rational, and with --bits. Exit code 2 when
     digits are not reached, and when --uniform or --side is undecided.
     """
-    from gspot_verified.expansion.accuracy import AccuracyWarning
+    from gspot_verified.expansion.trajectory import AccuracyWarning
     from gspot_verified.mechanisms.expand import expand as expand_mechanism
 
     outputs = Outputs()

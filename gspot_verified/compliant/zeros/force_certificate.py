@@ -17,7 +17,7 @@ from gspot_verified.compliant.zeros.force_statements import ForceStatement, Lift
 from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.leading_order.iwc import IwcResult
 from gspot_verified.numbers.balls import approximate, hull, sign_of, working_bits
-from gspot_verified.numbers.shown import Shown
+from gspot_verified.numbers.written import Shown
 from gspot_verified.signs.cover.column_models import ColumnModels
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of
 from gspot_verified.signs.cover.tails import left_threshold

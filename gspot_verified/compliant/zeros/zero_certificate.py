@@ -18,9 +18,8 @@ from gspot_verified.compliant.patches.slow_patch import rational_scale
 from gspot_verified.compliant.zeros.force_certificate import NotProvable
 from gspot_verified.compliant.zeros.zero_count import SYSTEM, checked_point
 from gspot_verified.numbers.balls import ExactInput, hull, working_bits
-from gspot_verified.numbers.shown import Shown
 from gspot_verified.numbers.verdict import NoTruthValue
-from gspot_verified.numbers.written import Written
+from gspot_verified.numbers.written import Shown, Written
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.work.ranges import Range

@@ -12,9 +12,8 @@ from typing import ClassVar
 from flint import fmpq
 
 from gspot_verified.cost.peers.sympy_expansion import sympy_extended
-from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import machine_load
-from gspot_verified.cost.times.rows import Row, Target, figure_text, seconds_text
+from gspot_verified.cost.times.rows import Row, Target, TimeCurve, figure_text, seconds_text
 from gspot_verified.expansion.series.recursion import Recursion
 from gspot_verified.expansion.series.system import System
 from gspot_verified.mechanisms.shipped import shipped_system

@@ -14,10 +14,8 @@ from gspot_verified.compliant.model.normal_form import CompliantModel, Compliant
 from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.first_zero import first_zero
 from gspot_verified.compliant.slow.slow_solution import slow_solution
-from gspot_verified.cost.times.benchmark import Benchmark
-from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import Contestant, machine_load, measure
-from gspot_verified.cost.times.rows import Row, Target
+from gspot_verified.cost.times.rows import Benchmark, Row, Target, TimeCurve
 from gspot_verified.numbers.balls import approximate, working_bits
 
 Progress = Callable[[str], None]

@@ -17,10 +17,8 @@ from typing import Any
 
 from gspot_verified.cost.benchmarks.mechanism_states import state_rows
 from gspot_verified.cost.benchmarks.mechanism_sweep import sweep_rows
-from gspot_verified.cost.times.benchmark import Benchmark
-from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import Contestant, child_environment, machine_load, measure
-from gspot_verified.cost.times.rows import Row, Target
+from gspot_verified.cost.times.rows import Benchmark, Row, Target, TimeCurve
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.shipped import shipped_mechanism

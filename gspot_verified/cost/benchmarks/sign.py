@@ -17,10 +17,9 @@ from flint import fmpq
 from gspot_verified.certificates.checker import checker_path
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.peers.bisection import Bisection, Choice, bisect
-from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.growth import FittedGrowth, around, cells, from_one, time_range
 from gspot_verified.cost.times.measure import Contestant, clear_caches, machine_load, measure
-from gspot_verified.cost.times.rows import Row, Target, figure_text, seconds_text
+from gspot_verified.cost.times.rows import Row, Target, TimeCurve, figure_text, seconds_text
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.sign import SignResult, sign
 

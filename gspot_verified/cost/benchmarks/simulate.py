@@ -20,10 +20,8 @@ from gspot_verified.cost.peers.lift_off_runs import (
     right_decimals,
     scene_of,
 )
-from gspot_verified.cost.times.benchmark import Benchmark
-from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import machine_load
-from gspot_verified.cost.times.rows import Row, Target, seconds_text
+from gspot_verified.cost.times.rows import Benchmark, Row, Target, TimeCurve, seconds_text
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.scenes.certified.certified_integration import integrated_run
 from gspot_verified.scenes.scene.file import load_scene

@@ -14,8 +14,7 @@ from typing import Any
 
 from gspot_verified.certificates.checker import CheckResult, checker_path
 from gspot_verified.certificates.checker import check as run_checker
-from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import Call, TimedRoute, clock
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute, clock
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit
 from gspot_verified.cost.parts.zero_parts import atlas_text
 

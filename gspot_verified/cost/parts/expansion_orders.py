@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from functools import partial
 
-from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute, best_time
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit
 from gspot_verified.cost.peers.sympy_expansion import sympy_extended
-from gspot_verified.expansion.in_balls import expand_in_balls
 from gspot_verified.expansion.series.recursion import Recursion
-from gspot_verified.expansion.trajectory import first_bits
+from gspot_verified.expansion.trajectory import expand_in_balls, first_bits
 from gspot_verified.mechanisms.shipped import shipped_system
 
 _ORDERS, _MORE = (8, 15, 30, 60), (90, 120, 200)  # of delta; more in full

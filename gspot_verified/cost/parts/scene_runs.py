@@ -10,8 +10,7 @@ from typing import Any
 
 from flint import fmpq, fmpz
 
-from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute, best_time
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
 from gspot_verified.cost.peers.lift_off_runs import (
     CERTIFIED_BITS,

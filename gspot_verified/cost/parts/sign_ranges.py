@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from flint import fmpq
 
-from gspot_verified.cost.measurement.blueprint import Blueprint
-from gspot_verified.cost.measurement.contest import Call, TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
-from gspot_verified.cost.parts.ode import ode_run
+from gspot_verified.cost.parts.theta_digits import ode_run
 from gspot_verified.cost.parts.zero_parts import limit_of_pieces
 from gspot_verified.cost.peers.bisection import Bisection, Choice, bisect
 from gspot_verified.numbers.verdict import Outcome

@@ -11,10 +11,9 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.slow.slow_plan import steps_from_below, trapezoid_plan
 from gspot_verified.compliant.slow.slow_solution import slow_value
-from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute, best_time
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
-from gspot_verified.cost.parts.ode import right_decimals
+from gspot_verified.cost.parts.theta_digits import right_decimals
 from gspot_verified.cost.times.baseline import right_digits
 from gspot_verified.numbers.balls import approximate, bits_for_digits, working_bits
 

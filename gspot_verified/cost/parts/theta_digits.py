@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 from collections.abc import Callable
 from functools import partial
@@ -9,15 +10,58 @@ from typing import Any
 
 from flint import fmpq
 
-from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute, best_time
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
-from gspot_verified.cost.parts.ode import TOLERANCES, ode_value, right_decimals
 from gspot_verified.cost.peers.external import PROGRAMS, ExternalTime, Program, ask
 from gspot_verified.cost.times.baseline import flint_theta, mpmath_theta, right_digits
 from gspot_verified.cost.times.limits import products_of_the_series
 from gspot_verified.numbers.balls import approximate
+from gspot_verified.theta_function.gamma.initial_values import initial_values
 from gspot_verified.theta_function.theta import theta
+
+TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)  # relative and absolute, for the curves of the solver
+
+
+def ode_run(beta: fmpq, end: float, tolerance: float, **options: Any) -> Any:
+    """``solve_ivp`` on theta''' = tau theta' - beta theta from the initial values at 0 to ``end``."""
+    from scipy.integrate import solve_ivp
+
+    start = [approximate(value) for value in initial_values(beta, 64)]
+    parameter = approximate(beta)
+
+    def slope(at: float, y: Any) -> tuple[float, float, float]:
+        return y[1], y[2], at * y[1] - parameter * y[0]
+
+    return solve_ivp(slope, (0.0, end), start, method="DOP853", rtol=tolerance, atol=tolerance, **options)
+
+
+def ode_value(tau: fmpq, beta: fmpq, tolerance: float) -> float:
+    """Theta(tau, beta)."""
+    return float(ode_run(beta, approximate(tau), tolerance).y[0, -1])
+
+
+def ode_zeros(beta: fmpq, first: float, last: float, tolerance: float) -> list[float]:
+    """Where dTheta/dtau changes its sign between the solver's steps: zeros closer than a step are not seen."""
+
+    def derivative(_: float, y: Any) -> float:
+        return float(y[1])
+
+    zeros: list[float] = []
+    for end in (first, last):
+        zeros += ode_run(beta, end, tolerance, events=derivative).t_events[0].tolist()
+    return sorted(zeros)
+
+
+def right_decimals(value: float, known: float) -> float | None:
+    """Minus the decimal logarithm of the relative error, at most 15.5; None where not one digit is right.
+
+    >>> right_decimals(1.001, 1.0), right_decimals(2.0, 1.0)
+    (3.0, None)
+    """
+    error = abs(value - known) / abs(known)
+    digits = 15.5 if error == 0 else min(15.5, round(-math.log10(error), 1))
+    return digits if digits >= 1 else None
+
 
 TAU, BETA = fmpq(7, 3), fmpq(1, 2)  # the value that is computed
 _DIGITS, _MORE = (15, 50, 200, 1_000, 3_000, 10_000), (30_000, 100_000)  # more in full

@@ -7,8 +7,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute, best_time
 from gspot_verified.cost.measurement.measurement import CERTIFIED, Limit
 from gspot_verified.cost.times.baseline import flint_theta
 from gspot_verified.numbers.balls import working_bits

@@ -9,10 +9,9 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.certificates.text import certificate_text
-from gspot_verified.cost.measurement.blueprint import Blueprint, best_time
-from gspot_verified.cost.measurement.contest import Call, TimedRoute
+from gspot_verified.cost.measurement.contest import Blueprint, Call, TimedRoute, best_time
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Limit
-from gspot_verified.cost.parts.ode import TOLERANCES, ode_zeros, right_decimals
+from gspot_verified.cost.parts.theta_digits import TOLERANCES, ode_zeros, right_decimals
 from gspot_verified.cost.times.baseline import mpmath_theta
 from gspot_verified.numbers.balls import approximate, bits_for_digits, working_bits
 from gspot_verified.signs.cover.pieces import Column

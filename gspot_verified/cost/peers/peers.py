@@ -1,7 +1,8 @@
 """Theta beside what a user could take instead, interleaved in one run: ratios of the shortest times.
 
-Peers: one call of FLINT's three 1F2 in the entire form (:mod:`gspot_verified.cost.peers.entire_form`) at the least
-precision that is known to suffice (found beforehand, not timed), mpmath, and scipy's DOP853, which gives no bound.
+Peers: one call of FLINT's three 1F2 in the entire form at the least precision that is known to suffice (found
+beforehand, not timed), mpmath, and scipy's DOP853, which gives no bound. The initial values of the entire form are
+those of ``proofs/initial_values.md``, nowhere 0/0; the three 1F2 are those of Theorem 4 (th:3) of the paper.
 Programs outside Python: :mod:`gspot_verified.cost.peers.external`.
 """
 
@@ -13,18 +14,40 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-from flint import fmpq
+from flint import arb, fmpq
 
-from gspot_verified.cost.peers.entire_form import entire_form
-from gspot_verified.cost.times.baseline import mpmath_theta
+from gspot_verified.cost.times.baseline import LOWER, mpmath_theta
 from gspot_verified.cost.times.cases import asked
 from gspot_verified.cost.times.measure import Contestant, Timing, clear_caches, measure
 from gspot_verified.cost.times.rows import Row, Target
-from gspot_verified.numbers.balls import bits_for_digits, relative_bits
+from gspot_verified.numbers.balls import bits_for_digits, relative_bits, working_bits
 from gspot_verified.theta_function.arrays.arrays import theta_array, theta_of_floats
 from gspot_verified.theta_function.arrays.prepared import PreparedTheta
 from gspot_verified.theta_function.gamma.initial_values import initial_values
 from gspot_verified.theta_function.theta import theta
+
+_HALF = fmpq(1, 2)  # exact, made once
+
+
+def entire_form(tau: fmpq, beta: fmpq, bits: int) -> arb:
+    """One evaluation at one working precision; possibly wide, or not finite.
+
+    >>> entire_form(fmpq(3), fmpq(2), 64).contains(arb(9))
+    True
+    """
+    with working_bits(bits):
+        first, second, third = (arb((j - beta) / 3).rgamma() for j in range(3))
+        log = arb(3).log()
+        root = (log / 3).exp()
+        constant = 2 * arb.pi() * (log * arb(2 * beta / 3 - _HALF)).exp()
+        point, argument = arb(tau), arb(tau**3 / 9)
+        values = constant * third * second, constant * third * root * first, constant * root * root * first * second
+        powers = arb(1), point, point * point / 2
+        total = arb(0)
+        for j, (value, power) in enumerate(zip(values, powers, strict=True)):
+            total += value * power * argument.hypgeom([arb((j - beta) / 3)], [arb(b) for b in LOWER[j]])
+        return total
+
 
 BETAS = (fmpq(1, 2), fmpq(7, 3), fmpq(13, 2), fmpq(7, 5), fmpq(355, 113))  # with small and large denominators
 NEAR = tuple(fmpq(*pair) for pair in ((1, 10), (1, 1), (-1, 1), (10, 1), (-10, 1), (50, 1), (-50, 1)))

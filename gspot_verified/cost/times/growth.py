@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from gspot_verified.certificates.text import certificate_text
-from gspot_verified.cost.times.curves import TimeCurve
 from gspot_verified.cost.times.measure import clear_caches
-from gspot_verified.cost.times.rows import seconds_text
+from gspot_verified.cost.times.rows import TimeCurve, seconds_text
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range

@@ -1,13 +1,86 @@
-"""The lines of the benchmark: what was asked, what it took, the target, and by how much it was met or missed."""
+"""The lines of the benchmark: what was asked, what it took, the target, by how much it was met or missed; curves."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import ClassVar
 
+from flint import fmpq
+
+from gspot_verified.cost.times.baseline import flint_theta, mpmath_theta
+from gspot_verified.cost.times.measure import Contestant, clear_caches, measure
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
+from gspot_verified.theta_function.theta import theta
+
+
+@dataclass(frozen=True, slots=True)
+class Benchmark(Written):
+    """What was measured. ``str`` is the table under its heading."""
+
+    written: ClassVar[str] = "rows curves remarks seconds summary"
+
+    head: str
+    rows: tuple[Row, ...]
+    curves: tuple[TimeCurve, ...]
+    remarks: tuple[str, ...]
+    seconds: float
+
+    def summary(self) -> str:
+        """One line: how many targets are met and missed."""
+        met = sum(row.met is True for row in self.rows)
+        return f"{met} of {len(self.rows)} met, {len(self.rows) - met} missed"
+
+    def __str__(self) -> str:
+        return "\n\n".join([self.head, table(self.rows), "\n".join([*self.remarks, self.summary()])])
+
+
+_TAU = fmpq(7, 3)  # where the curves of time over digits are measured
+_DIGITS = (10, 30, 100, 300, 1_000, 3_000, 10_000, 30_000, 100_000)  # the last two in full only
+_MPMATH_DIGITS = 1_000  # beyond them mpmath takes too long
+
+
+@dataclass(frozen=True, slots=True)
+class TimeCurve(Written):
+    """Seconds at some numbers of digits, or at another number."""
+
+    name: str
+    points: tuple[tuple[float, float], ...]
+
+
+def curves(full: bool) -> tuple[TimeCurve, ...]:
+    """First calls at tau = 7/3, up to 10^4 digits (10^5 when ``full``).
+
+    A curve ends after the point that takes longer than 1 second (10 when ``full``), mpmath's at 10^3 digits: its next
+    point would take minutes, for Bernoulli numbers.
+    """
+    half, third = fmpq(1, 2), fmpq(7, 3)
+    calls: dict[str, Callable[[int], object]] = {
+        "this package, β = 1/2": lambda digits: theta(_TAU, half, 0, digits),
+        "this package, β = 7/3": lambda digits: theta(_TAU, third, 0, digits),
+        "three FLINT 1F2, β = 1/2": lambda digits: flint_theta(_TAU, half, 0, digits),
+        "mpmath hyp1f2, β = 1/2": lambda digits: mpmath_theta(_TAU, half, 0, digits),
+    }
+    digits, patience = (_DIGITS, 10.0) if full else (_DIGITS[:-2], 1.0)
+    last = {"mpmath hyp1f2, β = 1/2": _MPMATH_DIGITS}
+    return tuple(
+        TimeCurve(name, curve(call, tuple(count for count in digits if count <= last.get(name, count)), patience))
+        for name, call in calls.items()
+    )
+
+
+def curve(call: Callable[[int], object], digits: tuple[int, ...], patience: float) -> tuple[tuple[int, float], ...]:
+    """The points of one curve, with empty caches before every call, up to the first above ``patience`` seconds."""
+    points: list[tuple[int, float]] = []
+    for count in digits:
+        contestant = Contestant(partial(call, count), clear_caches, 7)
+        points.append((count, measure({"it": contestant}, 0.5)["it"].median))
+        if points[-1][1] > patience:
+            break
+    return tuple(points)
+
 
 _UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"))
 _HEADER = ("asked", "cold", "warm", "baseline", "mpmath", "figure", "target", "outcome")

@@ -91,7 +91,7 @@ def model_side(
     ``contact`` = (k_1, k_2, c), from the state (p, b) with p > 0. The set of starts is given by ``within``: lambda_N
     within this share of \\|L\\|, L = -b/p - mean force, of -b/p; v/epsilon, phi (``proofs/from_state.md``) likewise.
     The state at rest in the contact, v = 0, y = -h epsilon^2 lambda_N, belongs to every such set. "impact": lambda_N
-    exceeds ``force`` times the mean force. Without ``epsilon`` ranges of it are followed upwards as far as they are proved.
+    exceeds ``force`` times the mean force. Without ``epsilon`` ranges of it are followed as far as they are proved.
 
     :raises ValueError: beta is not rational, at most 1, an integer or above 30; p, epsilon not positive; L = 0; the
         mean force is not positive; an argument is out of range or not rational; the contact has no damper.

@@ -1,5 +1,6 @@
 """The way of a set of starts of the model system through Theorem B, U1 and U2, or the inequality that is not certain.
 
+The model system has constant alpha_1, alpha_2, alpha_3 and the state (p, b, y, v); paper, Sec. 4.
 Proof page: ``proofs/from_state.md``, sections 4 to 6.
 """
 
@@ -14,16 +15,46 @@ from gspot_verified.expansion.from_state.barrier import Start, Tube, start_bound
 from gspot_verified.expansion.from_state.choice import LARGEST, Plan, plans, reach_for
 from gspot_verified.expansion.from_state.fast_growth import Norm, Rectangle, fast_growth
 from gspot_verified.expansion.from_state.hand_over import HandOver, hand_over_set
-from gspot_verified.expansion.from_state.model_system import model_system
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text, slow_series
 from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.expansion.series.system import System
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations, Residuals
 from gspot_verified.expansion.true_solutions.side import end_of_track
 from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end
 from gspot_verified.expansion.true_solutions.track import track
+from gspot_verified.functions.expressions import Constant, Variable
 from gspot_verified.numbers.balls import ball
 from gspot_verified.numbers.evidence import every
+
+
+def model_system(alpha_1: fmpq, alpha_2: fmpq, alpha_3: fmpq, regularisation: Regularisation) -> System:
+    """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N, y' = v, v' = b + p lambda_N.
+
+    >>> from gspot_verified.expansion.series.regularisation import PAPER
+    >>> model_system(fmpq(-1), fmpq(-1), fmpq(-3, 2), PAPER).check()
+    (-1, -1, -3/2)
+    """
+    first, second, third = Constant(alpha_1), Constant(alpha_2), Constant(alpha_3)
+    nothing = Constant(fmpq(0))
+    p, b, y, v = (Variable(i) for i in range(4))
+    return System(
+        "model system",
+        F=(first, second, v, b),
+        G=(nothing, -third, nothing, p),
+        y=y,
+        v=v,
+        p=p,
+        b=b,
+        alpha_1=first,
+        alpha_2=second,
+        alpha_3=third,
+        J=(),
+        point=(fmpq(0),) * 4,
+        state=("p", "b", "y", "v"),
+        regularisation=regularisation,
+    )
+
 
 _ORDER = 10  # of the expansion, whose terms beyond the first vanish for the model system
 _FINENESS = 2**30  # of what is rounded to a rational

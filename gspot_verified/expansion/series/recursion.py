@@ -12,9 +12,9 @@ from typing import Any
 from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.series.terms import NumberTerms, PolynomialTerms
+from gspot_verified.functions.convolution import Series
 from gspot_verified.functions.linear import inverse, solve_from_above
 from gspot_verified.functions.power_series import SeriesOfFunctions
-from gspot_verified.functions.series import Series
 
 _SHIFTS = {"p": (1, -3), "b": (1, -3), "xi": (1, -3), "y": (0, -1), "z": (0, -1), "v": (-1, -2), "lambda": (0, -4)}
 """For n = 2 nu the space is P_(nu + first), for n = 2 nu + 1 it is P_(nu + second); Theorem 1."""

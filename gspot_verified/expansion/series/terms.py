@@ -17,18 +17,37 @@ W is large enough that no two orders of the product meet. Page: proofs/expansion
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from typing import Any
 
 from flint import fmpq_poly, fmpz, fmpz_poly
 
-from gspot_verified.expansion.series.fraction_sum import Fraction, sum_of_fractions
 from gspot_verified.expansion.series.spaces import SpacePolynomial
-from gspot_verified.functions.convolution import Convolution, TermByTerm, Weights
+from gspot_verified.functions.convolution import Convolution, Series, TermByTerm, Weights
 from gspot_verified.functions.rings import Rationals, Ring
-from gspot_verified.functions.series import Series
+
+Fraction = tuple[fmpz_poly, fmpz]
+"""Numerator and denominator, not reduced."""
+
+
+def sum_of_fractions(fractions: Iterable[Fraction]) -> Fraction:
+    """The sum, on the least common multiple of the denominators.
+
+    Cheapest from the smallest denominator to the largest: then what is scaled again is no longer than the next summand.
+
+    >>> sum_of_fractions([(fmpz_poly([0, 1]), fmpz(4)), (fmpz_poly([1]), fmpz(6))])
+    (3*x + 2, 12)
+    """
+    summands = iter(fractions)
+    numerator, denominator = next(summands, (fmpz_poly([]), fmpz(1)))
+    for above, below in summands:
+        missing = below // denominator.gcd(below)
+        if missing != 1:
+            numerator, denominator = numerator * missing, denominator * missing
+        numerator += above * (denominator // below)
+    return numerator, denominator
 
 
 def exponent_class(series: Series) -> int:

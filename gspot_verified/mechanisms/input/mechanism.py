@@ -22,7 +22,7 @@ from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, con
 from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
 from gspot_verified.mechanisms.input.planar_links import PlanarLinks
 from gspot_verified.numbers.balls import ExactInput, exact
-from gspot_verified.numbers.shown import Shown
+from gspot_verified.numbers.written import Shown
 
 
 class MechanismError(ValueError):

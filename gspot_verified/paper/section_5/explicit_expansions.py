@@ -14,11 +14,10 @@ from gspot_verified.expansion.series.recursion import Recursion
 from gspot_verified.expansion.series.spaces import NoCommonSpace, SpacePolynomial
 from gspot_verified.expansion.series.system import System
 from gspot_verified.expansion.series.terms import PolynomialTerms
-from gspot_verified.functions.convolution import TermByTerm, Weights
+from gspot_verified.functions.convolution import Series, TermByTerm, Weights
 from gspot_verified.functions.expressions import Constant, Exponential, Expression, Power, Product, Sine, Sum, Variable
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.rings import RATIONALS
-from gspot_verified.functions.series import Series
 from gspot_verified.paper.checks.identities import Algebra
 
 Shift = tuple[int, int]

@@ -14,8 +14,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantState, compliant_model
 from gspot_verified.compliant.side.side_rule import side_rule
-from gspot_verified.expansion.accuracy import AccuracyWarning
-from gspot_verified.expansion.trajectory import Trajectory
+from gspot_verified.expansion.trajectory import AccuracyWarning, Trajectory
 from gspot_verified.expansion.true_solutions.side import UniformSide, uniform_side
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.input.mechanism import Mechanism

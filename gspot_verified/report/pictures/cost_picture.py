@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.cost.times.curves import TimeCurve
+from gspot_verified.cost.times.rows import TimeCurve
 from gspot_verified.report.pictures.canvas import COLOURS, INK, PAPER, STYLES, Picture, canvas, picture, styled
 
 _MARKS = "os^Dv"

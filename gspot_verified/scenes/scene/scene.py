@@ -15,7 +15,7 @@ from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import ExactInput
-from gspot_verified.numbers.shown import Shown
+from gspot_verified.numbers.written import Shown
 from gspot_verified.scenes.effects.catalogue import EFFECTS, OUTSIDE
 from gspot_verified.scenes.effects.effect import Effect
 from gspot_verified.scenes.equations.motion import Motion

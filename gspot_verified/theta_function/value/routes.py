@@ -31,8 +31,8 @@ from gspot_verified.theta_function.sums.positive import positive_sum
 from gspot_verified.theta_function.sums.splitting import splitting_sum
 from gspot_verified.theta_function.sums.taylor import complex_taylor_sum, taylor_sum
 from gspot_verified.theta_function.value import choice
+from gspot_verified.theta_function.value.choice import angle
 from gspot_verified.theta_function.value.integer import polynomial
-from gspot_verified.theta_function.value.magnitudes import angle
 from gspot_verified.theta_function.value.near import one_value
 
 MAX_TAU = 10**12  # of |tau|; a limit of input: ValueError beyond it

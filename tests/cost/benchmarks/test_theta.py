@@ -8,9 +8,8 @@ import pytest
 from gspot_verified.cost.benchmarks import theta as benchmark
 from gspot_verified.cost.benchmarks.theta import CostReport
 from gspot_verified.cost.peers.external import ExternalTime
-from gspot_verified.cost.times import curves as curves_module
-from gspot_verified.cost.times.curves import TimeCurve, curve
-from gspot_verified.cost.times.rows import Row, Target
+from gspot_verified.cost.times import rows as curves_module
+from gspot_verified.cost.times.rows import Row, Target, TimeCurve, curve
 from gspot_verified.report.pictures.cost_picture import save_picture
 
 FAST = Target("cold", 0.005, "s")
@@ -65,9 +64,9 @@ def test_the_full_run_adds_the_heavy_rows(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(benchmark, "curves", lambda _: ())
     monkeypatch.setattr(benchmark, "ask", lambda *_: EXTERNAL[0])
     for name in ("against_baseline", "general_beta_rows"):
-        monkeypatch.setattr(benchmark.heavy, name, lambda _: iter(ROWS[:1]))
-    monkeypatch.setattr(benchmark.heavy, "growth", lambda _: ROWS[1])
-    monkeypatch.setattr(benchmark.heavy, "mpmath_at_many_digits", lambda _: "mpmath: slow")
+        monkeypatch.setattr(benchmark, name, lambda _: iter(ROWS[:1]))
+    monkeypatch.setattr(benchmark, "growth", lambda _: ROWS[1])
+    monkeypatch.setattr(benchmark, "mpmath_at_many_digits", lambda _: "mpmath: slow")
     report = benchmark.run(full=True)
     assert report.rows == (ROWS[0], ROWS[0], ROWS[1])
     assert report.remarks[1] == "mpmath: slow"

@@ -14,8 +14,7 @@ import pytest
 from gspot_verified.cost import alone
 from gspot_verified.cost.contents import blueprints, contestants_of
 from gspot_verified.cost.measurement import contest
-from gspot_verified.cost.measurement.blueprint import time_shares
-from gspot_verified.cost.measurement.contest import QUICK, TimedRoute, compete, memory_alone
+from gspot_verified.cost.measurement.contest import QUICK, TimedRoute, compete, memory_alone, time_shares
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND
 from gspot_verified.theta_function import theta as package_theta
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from gspot_verified.cost import run
-from gspot_verified.cost.measurement.kept_parts import KeptParts
+from gspot_verified.cost.measurement.file import KeptParts
 from gspot_verified.cost.measurement.measurement import Measurement, Part
 from gspot_verified.work import journal_file
 

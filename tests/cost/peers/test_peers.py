@@ -16,7 +16,7 @@ from gspot_verified import evaluate, theta_of_floats
 from gspot_verified.cli import main
 from gspot_verified.cost.benchmarks import theta as benchmark
 from gspot_verified.cost.peers import peers
-from gspot_verified.cost.peers.entire_form import entire_form
+from gspot_verified.cost.peers.peers import entire_form
 from gspot_verified.cost.times import limits
 from gspot_verified.cost.times.baseline import flint_attempt
 from gspot_verified.numbers.balls import bits_for_digits, relative_bits

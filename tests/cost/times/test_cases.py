@@ -5,7 +5,7 @@ from functools import partial
 import pytest
 from flint import fmpq
 
-from gspot_verified.cost.benchmarks import heavy
+from gspot_verified.cost.benchmarks import theta
 from gspot_verified.cost.times import cases
 from gspot_verified.cost.times.measure import ChildRun
 
@@ -58,40 +58,40 @@ def _children(monkeypatch: pytest.MonkeyPatch, **runs: ChildRun) -> None:
     def run(request: dict[str, object], _: float) -> ChildRun:
         return runs.get(f"{request['who']}_{request['digits']}", runs.get(str(request["who"]), ChildRun(None, None)))
 
-    monkeypatch.setattr(heavy, "run_child", run)
+    monkeypatch.setattr(theta, "run_child", run)
     monkeypatch.setattr(cases, "run_child", run)
 
 
 def test_heavy_rows_come_from_children(monkeypatch: pytest.MonkeyPatch) -> None:
     ours = ChildRun(2.0, 10**7, processor=1.5)
     _children(monkeypatch, ours=ours, baseline=ChildRun(400.0, 10**8, "", 100.0, 390.0))
-    rows = list(heavy.against_baseline(lambda _: None))
+    rows = list(theta.against_baseline(lambda _: None))
     assert [row.figure for row in rows] == [200.0, 200.0]
     assert all("first attempt alone" in row.note and "50 x" in row.note and "390 s: 260 x" in row.note for row in rows)
 
 
 def test_a_baseline_without_an_answer_leaves_the_row_open(monkeypatch: pytest.MonkeyPatch) -> None:
     _children(monkeypatch, ours=ChildRun(2.0, 10**7), baseline=ChildRun(None, None, "no answer within 900 s"))
-    rows = list(heavy.against_baseline(lambda _: None))
+    rows = list(theta.against_baseline(lambda _: None))
     assert all(row.met is None and "no answer within 900 s" in row.note for row in rows)
 
 
 def test_growth_states_the_peak_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     _children(monkeypatch, ours_100000=ChildRun(0.5, 3 * 10**7), ours_1000000=ChildRun(6.0, 8 * 10**7))
-    row = heavy.growth(lambda _: None)
+    row = theta.growth(lambda _: None)
     assert row.figure == 12.0
     assert row.note == "peak memory: 30 MB at 10^5, 80 MB at 10^6 digits"
 
 
 def test_general_beta_in_fresh_processes(monkeypatch: pytest.MonkeyPatch) -> None:
     _children(monkeypatch, ours=ChildRun(3.0, 10**7))
-    assert [row.figure for row in heavy.general_beta_rows(lambda _: None)] == [1.0, 1.0]
+    assert [row.figure for row in theta.general_beta_rows(lambda _: None)] == [1.0, 1.0]
     _children(monkeypatch)
-    assert [row.met for row in heavy.general_beta_rows(lambda _: None)] == [None, None]
+    assert [row.met for row in theta.general_beta_rows(lambda _: None)] == [None, None]
 
 
 def test_mpmath_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
     _children(monkeypatch, mpmath=ChildRun(None, None, "no answer within 120 s"))
-    assert heavy.mpmath_at_many_digits(lambda _: None).endswith("no answer within 120 s")
+    assert theta.mpmath_at_many_digits(lambda _: None).endswith("no answer within 120 s")
     _children(monkeypatch, mpmath=ChildRun(88.0, 1))
-    assert heavy.mpmath_at_many_digits(lambda _: None).endswith("88.0 s")
+    assert theta.mpmath_at_many_digits(lambda _: None).endswith("88.0 s")

@@ -10,7 +10,7 @@ from witnesses.slow_deviation import motion
 from gspot_verified.expansion.from_state.barrier import Start, Tube, start_bound, tube
 from gspot_verified.expansion.from_state.fast_growth import Norm, Rectangle, fast_growth
 from gspot_verified.expansion.from_state.hand_over import HandOver, hand_over_set
-from gspot_verified.expansion.from_state.model_system import model_system
+from gspot_verified.expansion.from_state.passage import model_system
 from gspot_verified.expansion.from_state.slow_series import Contact, SlowSeries, slow_series
 from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.expansion.trajectory import expand_system

@@ -17,7 +17,7 @@ from mpmath import mpf
 from gspot_verified.expansion.from_state.barrier import Start, Tube
 from gspot_verified.expansion.from_state.fast_growth import Rectangle
 from gspot_verified.expansion.from_state.hand_over import HandOver, carried, evaluated, hand_over_set
-from gspot_verified.expansion.from_state.model_system import model_system
+from gspot_verified.expansion.from_state.passage import model_system
 from gspot_verified.expansion.from_state.slow_series import Contact, H, R, SlowSeries, slow_series, terms_of
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.trajectory import expand_system

@@ -16,8 +16,7 @@ from gspot_verified.expansion.series import terms
 from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.series.terms import BlockConvolution
 from gspot_verified.expansion.trajectory import expand_system
-from gspot_verified.functions.convolution import Weights
-from gspot_verified.functions.series import Series
+from gspot_verified.functions.convolution import Series, Weights
 from gspot_verified.mechanisms.shipped import shipped_system
 
 WEIGHTS: tuple[Weights | None, ...] = (

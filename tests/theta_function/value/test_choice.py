@@ -11,7 +11,7 @@ from samples.strategies import betas, taus, to_fmpq
 
 from gspot_verified.numbers.balls import approximate, relative_bits
 from gspot_verified.theta_function.value import choice, routes
-from gspot_verified.theta_function.value.magnitudes import largest_term, log_theta, stationary
+from gspot_verified.theta_function.value.choice import largest_term, log_theta, stationary
 
 _GOALS = st.sampled_from([4, 53, 100, 340])
 

@@ -6,7 +6,7 @@ from flint import fmpq_poly, fmpz, fmpz_poly
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gspot_verified.expansion.series.fraction_sum import sum_of_fractions
+from gspot_verified.expansion.series.terms import sum_of_fractions
 
 fractions = st.tuples(st.lists(st.integers(-9, 9), max_size=4).map(fmpz_poly), st.integers(1, 40).map(fmpz))
 
