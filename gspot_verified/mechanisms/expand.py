@@ -24,7 +24,7 @@ def expand(
     """The terms of orders 0..order-1 of delta of the distinguished trajectory at the G-spot; paper, Theorem 1.
 
     Exact coefficients where the G-spot is rational, rational functions where a parameter has no value, else balls.
-    Balls have the asked ``digits`` (see :class:`expansion.trajectory.Accuracy`): the precision is raised, and with it the
+    Balls have the asked ``digits`` (:class:`expansion.trajectory.Accuracy`): the precision is raised, and with it the
     box of the G-spot. Where that does not help (a system whose numbers are balls already) the result is valid, its
     ``accuracy.reached`` is False, and an ``AccuracyWarning`` is given. ``progress`` is told (orders done, orders).
 
