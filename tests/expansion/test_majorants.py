@@ -11,6 +11,7 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
+from witnesses.expressions import BALLS, value_of
 
 from gspot_verified.expansion.majorants import Graded, _changes, _least, graded_functions, rest_of_product
 from gspot_verified.functions.expressions import (
@@ -61,28 +62,7 @@ def middle(value: arb) -> Any:
 
 def starts_of(nodes: list[Expression], start: Any = START) -> dict[Expression, Any]:
     """The values at START, by the functions under test's own arithmetic of one number."""
-    found: dict[Expression, Any] = {}
-    for node in nodes:
-        match node:
-            case Constant(value):
-                found[node] = arb(value)
-            case Variable():
-                found[node] = arb(start)
-            case Sum(terms):
-                found[node] = sum((found[term] for term in terms), arb(0))
-            case Product(left, right):
-                found[node] = found[left] * found[right]
-            case Power(base, exponent):
-                found[node] = found[base] ** arb(exponent)
-            case Sine(argument):
-                found[node] = found[argument].sin()
-            case Cosine(argument):
-                found[node] = found[argument].cos()
-            case Exponential(argument):
-                found[node] = found[argument].exp()
-            case Logarithm(argument):
-                found[node] = found[argument].log()
-    return found
+    return {node: value_of(node, [arb(start)], arb, BALLS) for node in nodes}
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -168,7 +148,7 @@ def test_the_rest(name: str, order: int) -> None:
         quarter = mpmath.mpf(1) / 4
         norms: dict[Expression, tuple[arb, ...]] = {}
         for node in nodes:
-            values = coefficients(lambda u, n=node: _value(n, u), order - 1)
+            values = coefficients(lambda u, n=node: 0 * u + value_of(n, [u]), order - 1)
             norms[node] = tuple(arb(mpmath.nstr(c * quarter**n, 50)) for n, c in enumerate(values))
         rest = graded_functions(nodes, norms, starts_of(nodes), [lambda r: r / 4])[function].rest
         wanted = sum(c * quarter**n for n, c in enumerate(coefficients(independent, 40)) if n >= order)
@@ -176,29 +156,6 @@ def test_the_rest(name: str, order: int) -> None:
         found = middle(rest)
     assert found >= wanted * (1 - mpmath.mpf(10) ** -12)
     assert found <= 2000 * wanted + mpmath.mpf(10) ** -12 or name == "nested"
-
-
-def _value(node: Expression, u: Any) -> Any:
-    match node:
-        case Constant(value):
-            return mpmath.mpf(int(fmpq(value).p)) + 0 * u
-        case Variable():
-            return u
-        case Sum(terms):
-            return sum(_value(term, u) for term in terms)
-        case Product(left, right):
-            return _value(left, u) * _value(right, u)
-        case Power(base, exponent):
-            return _value(base, u) ** (mpmath.mpf(int(exponent.p)) / int(exponent.q))
-        case Sine(argument):
-            return mpmath.sin(_value(argument, u))
-        case Cosine(argument):
-            return mpmath.cos(_value(argument, u))
-        case Exponential(argument):
-            return mpmath.exp(_value(argument, u))
-        case Logarithm(argument):
-            return mpmath.log(_value(argument, u))
-    raise TypeError(node)
 
 
 @pytest.mark.parametrize("ratio", [fmpq(6, 5), fmpq(2)])

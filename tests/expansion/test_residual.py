@@ -16,6 +16,7 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from witnesses.expressions import mp, value_of
 
 from gspot_verified.expansion.majorants import Graded, rest_of_product
 from gspot_verified.expansion.residual import ResidualError, _Functions, residual_bounds
@@ -40,32 +41,6 @@ from gspot_verified.testing import extended_example, sheared, systems
 
 x = [Variable(i) for i in range(6)]
 one = Constant(fmpq(1))
-
-
-def mp(value: Any) -> Any:
-    value = fmpq(value)
-    return mpmath.mpf(int(value.p)) / int(value.q)
-
-
-def value_of(node: Expression, state: list[Any]) -> Any:
-    match node:
-        case Constant(value):
-            return mp(value)
-        case Variable(index):
-            return state[index]
-        case Sum(terms):
-            return sum((value_of(term, state) for term in terms), mpmath.mpf(0))
-        case Product(left, right):
-            return value_of(left, state) * value_of(right, state)
-        case Power(base, exponent):
-            return value_of(base, state) ** mp(exponent) if exponent else mpmath.mpf(1)
-        case Sine(argument):
-            return mpmath.sin(value_of(argument, state))
-        case Cosine(argument):
-            return mpmath.cos(value_of(argument, state))
-        case Exponential(argument):
-            return mpmath.exp(value_of(argument, state))
-    raise TypeError(node)
 
 
 def summed(terms: tuple[SpacePolynomial, ...], s: Any, delta: Any, slope: bool = False) -> Any:

@@ -13,7 +13,8 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from samples.strategies import ends, holds, to_fmpq, to_fraction
+from samples.strategies import ends, holds, to_fmpq
+from witnesses.expressions import mp, value_of
 
 from gspot_verified.expansion.series.terms import NumberTerms
 from gspot_verified.functions.box_program import BoxProgram, common, power, root, square
@@ -69,31 +70,6 @@ def grown(parts: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]
 FUNCTIONS = st.recursive(LEAVES, grown, max_leaves=8)
 
 
-def reference(node: Expression, at: list[Fraction]) -> Any:
-    """The number by mpmath, which shares no code with the program."""
-    match node:
-        case Variable(index):
-            return mpmath.mpf(at[index].numerator) / at[index].denominator
-        case Constant(value):
-            exact = to_fraction(value)
-            return mpmath.mpf(exact.numerator) / exact.denominator
-        case Sum(terms):
-            return mpmath.fsum(reference(term, at) for term in terms)
-        case Product(left, right):
-            return reference(left, at) * reference(right, at)
-        case Power(base, exponent):
-            return mpmath.power(reference(base, at), mpmath.mpf(int(exponent.p)) / int(exponent.q))
-        case Sine(argument):
-            return mpmath.sin(reference(argument, at))
-        case Cosine(argument):
-            return mpmath.cos(reference(argument, at))
-        case Exponential(argument):
-            return mpmath.exp(reference(argument, at))
-        case Logarithm(argument):
-            return mpmath.log(reference(argument, at))
-    raise AssertionError(node)
-
-
 def near(ball: arb, value: Any) -> bool:
     """Whether the finite ball, widened by the error of the reference, holds it."""
     lower, upper = ends(ball)
@@ -114,7 +90,7 @@ def test_values_and_mean_values_hold_the_function(
     with working_bits(53), mpmath.workprec(400):
         box = box_of([(c, abs(r)) for c, r in zip(centre, radii, strict=True)])
         program = BoxProgram([function], DIMENSION)
-        value = reference(function, at)
+        value = value_of(function, [mp(to_fmpq(x)) for x in at])
         for found in (program.values(box), program.mean_values(box), program.gradients(box)[0]):
             if found[0].is_finite():  # exp(sin) of wide sides, powers of them: finite, but a product may overflow
                 assert near(found[0], value)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import mpmath
@@ -10,6 +11,7 @@ import sympy
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
+from witnesses.expressions import letter_number, value_of
 
 from gspot_verified.expansion.series.terms import NumberTerms
 from gspot_verified.functions.derivative import lie_derivative, partial_derivative, powers_as_products, substitute
@@ -22,7 +24,6 @@ from gspot_verified.functions.expressions import (
     Power,
     Product,
     Sine,
-    Sum,
     Variable,
     in_order,
 )
@@ -48,46 +49,19 @@ FUNCTIONS = {
 # x and y as series in one letter; 0 at the start.
 STATE = ([0, 1, fmpq(-1, 2), 0, 3, 1, 0, 0], [0, fmpq(2), 0, 1, 0, fmpq(1, 7), 0, 2])
 ORDERS = 8
-
-
-def to_sympy(node: Expression, values: list[Any]) -> Any:
-    match node:
-        case Constant(value):
-            return sympy.Rational(int(value.p), int(value.q))
-        case Variable(index):
-            return values[index]
-        case Sum(terms):
-            return sympy.Add(*(to_sympy(term, values) for term in terms))
-        case Product(left, right):
-            return to_sympy(left, values) * to_sympy(right, values)
-        case Power(base, exponent):
-            return to_sympy(base, values) ** sympy.Rational(int(exponent.p), int(exponent.q))
-        case Sine(argument):
-            return sympy.sin(to_sympy(argument, values))
-        case Cosine(argument):
-            return sympy.cos(to_sympy(argument, values))
-        case Exponential(argument):
-            return sympy.exp(to_sympy(argument, values))
-        case Logarithm(argument):
-            return sympy.log(to_sympy(argument, values))
-    raise TypeError(node)
-
-
-def rational(value: Any) -> Any:
-    value = fmpq(value)
-    return sympy.Rational(int(value.p), int(value.q))
+to_sympy = partial(value_of, number=letter_number, program=sympy)
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_against_sympy(name: str) -> None:
     function = FUNCTIONS[name]
     d = sympy.Symbol("d")
-    state = [sum(rational(c) * d**n for n, c in enumerate(row)) for row in STATE]
+    state = [sum(letter_number(c) * d**n for n, c in enumerate(row)) for row in STATE]
     expected = sympy.series(to_sympy(function, state), d, 0, ORDERS).removeO()
     series = SeriesOfFunctions([function], NumberTerms(RATIONALS), RATIONALS)
     for n in range(ORDERS):
         series.extend([fmpq(row[n]) for row in STATE])
-        assert rational(series[function][n]) == sympy.expand(expected).coeff(d, n), n
+        assert letter_number(series[function][n]) == sympy.expand(expected).coeff(d, n), n
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -97,7 +71,7 @@ def test_layers_against_sympy(name: str) -> None:
     t, e = sympy.symbols("t e")
     x_rows = [[0, 1, 0, 0], [fmpq(1, 2), -1, 0, 0], [1, 0, 0, 0]]
     y_rows = [[0, 2, 0, 0], [-1, 0, 1, 0], [0, 0, 0, 0]]
-    values = [sum(rational(c) * t**k * e**m for m, row in enumerate(rows) for k, c in enumerate(row))
+    values = [sum(letter_number(c) * t**k * e**m for m, row in enumerate(rows) for k, c in enumerate(row))
               for rows in (x_rows, y_rows)]  # fmt: skip
     exact = to_sympy(function, values)
     layers = LayeredFunctions([function], RATIONALS)
@@ -113,7 +87,7 @@ def test_layers_against_sympy(name: str) -> None:
         at_zero = sympy.diff(exact, e, m).subs(e, 0) / sympy.factorial(m)
         expected = sympy.series(at_zero, t, 0, 4).removeO()
         for k in range(4):
-            assert rational(layers[function].rows[m][k]) == sympy.expand(expected).coeff(t, k), (m, k)
+            assert letter_number(layers[function].rows[m][k]) == sympy.expand(expected).coeff(t, k), (m, k)
 
 
 def test_balls_against_mpmath() -> None:

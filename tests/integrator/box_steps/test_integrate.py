@@ -14,6 +14,7 @@ import pytest
 from flint import arb, arb_mat, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from witnesses.expressions import value_of
 
 from gspot_verified.functions.expressions import Constant, Cosine, Exponential, Expression, Power, Sine, Variable
 from gspot_verified.integrator.box_steps.integrate import Run, Segment, _reached, integrate
@@ -96,31 +97,13 @@ FIELDS: list[tuple[str, list[Expression], list[str], str]] = [
 @pytest.mark.parametrize(("functions", "start", "time"), [row[1:] for row in FIELDS], ids=[row[0] for row in FIELDS])
 @pytest.mark.parametrize("bits", [64, 90])
 def test_against_mpmath(functions: list[Expression], start: list[str], time: str, bits: int) -> None:
-    def of(node: Expression, state: list[mpmath.mpf]) -> mpmath.mpf:
-        """The expression in mpmath, by a walk of its own."""
-        match node:
-            case Variable(index):
-                return state[index]
-            case Constant(value):
-                return mpmath.mpf(int(value.p)) / int(value.q)
-            case Power(base, exponent):
-                return of(base, state) ** (mpmath.mpf(int(exponent.p)) / int(exponent.q))
-            case Sine(argument):
-                return mpmath.sin(of(argument, state))
-            case Cosine(argument):
-                return mpmath.cos(of(argument, state))
-            case Exponential(argument):
-                return mpmath.exp(of(argument, state))
-        parts = [of(part, state) for part in node.parts()]
-        return mpmath.fsum(parts) if type(node).__name__ == "Sum" else parts[0] * parts[1]
-
     numbers = [tuple(map(int, f"{text}/1".split("/")[:2])) for text in (*start, time)]
     with working_bits(bits):
         *initial, last = [arb(fmpq(*pair)) for pair in numbers]
         end = ended(VectorField(functions), initial, last)
     with mpmath.workdps(30):
         *at, until = [mpmath.fdiv(*pair) for pair in numbers]
-        true = mpmath.odefun(lambda _, state: [of(f, state) for f in functions], 0, at)(until)
+        true = mpmath.odefun(lambda _, state: [value_of(f, state) for f in functions], 0, at)(until)
         texts = [mpmath.nstr(value, 30) for value in true]
     with working_bits(300):
         for side, text in zip(end, texts, strict=True):
