@@ -16,7 +16,7 @@ from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.numbers.balls import add_remainder, ball, hull, nonfinite
 
-_NOTHING = fmpq(0)
+_NOTHING = fmpq(0)  # the least delta where all of (0, delta_0] is meant
 _KEPT = fmpq(15, 16)  # of g, as g_-: any number that (b) of Theorem U1 allows is correct
 _LEVELS = 4  # of s in a unit: constants of the residual are shared up to the next one
 

@@ -106,7 +106,9 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPie
         spread = _row_sums(basis, guess)
         deviations = [add_remainder(steady[i, 0], spread[i]) for i in range(equations.size)]
         coupling = equations.coupling(s, [value * rules.scale for value in deviations])
-        if not all(value.is_finite() for value in coupling.matrix.entries()) or not rules.keeps_rate(coupling.p):
+        if not all(value.is_finite() for value in coupling.matrix.entries()):
+            return None
+        if not rules.keeps_rate(coupling.p):
             return None
         rates = inverse * ((coupling.matrix * flow + defect) * state.turned)
         column = inverse * coupling.fast

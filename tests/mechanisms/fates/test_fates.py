@@ -153,7 +153,7 @@ def test_of_states_with_p_below_0_only_that_is_said() -> None:
     """With b = 1/4, p = -1/2 the force -b/p = 1/2 is positive: rigid bodies may slip in contact there, or lift off."""
     text = str(fates(family(), {"x": 0, "u": 2, "b": "1/4"}, {"p": "-1/2..-1/4:1"}))
     assert "100 %: p < 0 at the start (Painlevé's paradox): nothing more is said" in text
-    assert "Theorem R, for starts at rest in the contact; epsilon_0 is not computed" in text
+    assert "Theorem R, for starts at rest in the contact; epsilon_0, one for each state, is not" in text
 
 
 @pytest.mark.parametrize(
