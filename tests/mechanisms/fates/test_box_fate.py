@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -71,6 +72,8 @@ def test_the_spot_is_reached_on_the_side_of_both_orbits(signs: tuple[int, int], 
         # Slices above all states do not count; one that ends at the largest p does not either.
         (a_strip(a_slice(1, 2, 9), a_slice(0.5, 1, 0.5)), 1.0, 0.5625, Fate.ABOVE),
         (a_strip(a_slice(1, 2, 9), a_slice(0.5, 1, 0.5)), between(0.75, 1.25), 0.5625, Fate.UNDECIDED),
+        # Slip that may have stopped does not go on, though it would rise later.
+        (a_strip(a_slice(1, 2, between(0.5, 0.75)), a_slice(0.5, 1, -4)), 2.0, 0.625, Fate.UNDECIDED),
         # Within a slice slip may stop although it rises on the whole of it later: less than its way is asked.
         (a_strip(a_slice(1, 2, between(-1, 0.5))), 2.0, 0.4375, Fate.UNDECIDED),
         # The last stretch, where p vanishes.
@@ -152,6 +155,27 @@ def test_the_height_holds_that_of_every_state(at: int, width: int, b: int, heigh
         assert 2 * found.rad() < 2 * exact + arb("0.01")
 
 
+class Sheared:
+    """p = x + y/2, b = -1 of a plane with the components x, y."""
+
+    def values(self, box: list[arb]) -> list[arb]:
+        return [box[0] + box[1] / 2, arb(-1)]
+
+    def gradients(self, box: list[arb]) -> tuple[list[arb], list[list[arb]]]:
+        return self.values(box), [[arb(1), arb("0.5")], [arb(0), arb(0)]]
+
+
+def test_the_height_where_p_depends_on_the_place() -> None:
+    """The orbit y = -2 p: y + 2 p = 2 x + 2 y, exactly, and no narrower at the corners of the box."""
+    plane: Any = SimpleNamespace(p_and_b=Sheared())
+    straight: Any = SimpleNamespace(along=1, place=lambda p: -2 * p, steepness=lambda _: arb(-2))
+    x, y = between(0.25, 0.5), between(1, 1.5)
+    found = _height(replace(of_model([]), plane=plane), straight, [x, y], x + y / 2)
+    low, high = found.lower(), found.upper()
+    assert 2.49 < low <= 2.5
+    assert 4 <= high < 4.01
+
+
 @pytest.mark.parametrize(
     ("b", "at", "expected"),
     [
@@ -171,6 +195,19 @@ def test_the_neighbours_of_a_box(b: Callable[[arb], Any], at: str, expected: tup
         middle, radius = b(p)
         found = _between(of_model([orbit(start) for start in STARTS]), [p, middle + arb(0, radius)], p)
         assert (None if found is None else found[:2]) == expected
+
+
+MANY = ("-1.25", "-1.21875", "-1.1875", "-1.15625", "-1.125", "-0.875")
+
+
+@pytest.mark.parametrize("k", range(len(MANY) - 1))
+def test_the_neighbours_among_many_orbits(k: int) -> None:
+    with working_bits(BITS):
+        p, frame = arb("0.25"), of_model([orbit(start) for start in MANY])
+        lower, upper = (b_of(p, start) for start in MANY[k : k + 2])
+        found = _between(frame, [p, (lower + upper) / 2 + arb(0, 2.0**-12)], p)
+        assert found is not None
+        assert found[:2] == (k, k + 1)
 
 
 def test_a_box_in_several_strips_has_a_fate_if_they_agree() -> None:

@@ -149,6 +149,18 @@ def test_what_is_no_start() -> None:
     assert result.verdict.outcome is Outcome.PROVED
 
 
+def test_slip_is_counted_from_the_velocity_of_the_surface() -> None:
+    for u, surface, fate in ((2, 3, Fate.NO_SLIP), (2, 1, Fate.OPENS), (-2, -3, Fate.OPENS), (-2, -1, Fate.NO_SLIP)):
+        result = fates(family(), {"x": 0, "u": u, "b": 1}, {"p": "1/4..1/2:2"}, surface_velocity=surface)
+        assert {piece.fate for piece in result.pieces} == {fate}, (u, surface)
+
+
+def test_a_cell_on_an_edge_of_the_starts_says_so() -> None:
+    result = fates(family(), {"x": 0, "u": 2, "p": "1/4"}, {"b": "-1/8..1/8:1"})
+    assert [piece.fate for piece in result.pieces] == [Fate.UNDECIDED]
+    assert "the signs of p, b or the slip velocity differ" in result.pieces[0].why
+
+
 def test_of_states_with_p_below_0_only_that_is_said() -> None:
     """With b = 1/4, p = -1/2 the force -b/p = 1/2 is positive: rigid bodies may slip in contact there, or lift off."""
     text = str(fates(family(), {"x": 0, "u": 2, "b": "1/4"}, {"p": "-1/2..-1/4:1"}))
