@@ -47,7 +47,8 @@ def test_of_a_mechanism_undecided_says_why(capsys: pytest.CaptureFixture[str]) -
 def test_undecided_says_which_inequality_fails(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1/10")
     assert code == 2
-    assert "Theorem B: not certain: the hand-over lies before the start" in output
+    assert "Theorem U2: up to s = " in output
+    assert "it is proved up to epsilon = " in output
 
 
 @pytest.mark.parametrize(

@@ -91,7 +91,7 @@ class UniformBound(NoTruthValue, Written):
         >>> from gspot_verified.testing import extended_example
         >>> bound = uniform_bound(expand(extended_example(chi=1), 10), -2, 1, "1/20")
         >>> bound.at(1, "1/100")["p"]
-        [-0.99989998009310 +/- 3.36e-15]
+        [-0.99989998009310 +/- 3.39e-15]
         """
         place, small = exact(s, "s"), exact(delta, "delta")
         if not isinstance(place, fmpq) or not isinstance(small, fmpq):

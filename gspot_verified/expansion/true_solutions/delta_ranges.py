@@ -8,7 +8,7 @@ from typing import TypeVar
 from flint import fmpq
 
 T = TypeVar("T")
-_SMALLER, _TRIES = 4, 7  # times than the delta before, until all smaller delta are followed at once
+_FIRST = tuple(fmpq(1, 8 * 4**k) for k in range(7))  # up to which all delta are followed at once: the first that does
 _FACTORS = (fmpq(2), fmpq(5, 4), fmpq(11, 10), fmpq(31, 30))  # from one end to the next, as far as each one goes
 _FINENESS = 4  # ends other than delta_0 are 4 over a whole number
 
@@ -19,8 +19,7 @@ def in_ranges(follow: Callable[[fmpq, fmpq], T | str], top: fmpq) -> tuple[list[
     Without a first range: by what (0, ``smallest(top)``] failed.
     """
     failed = ""
-    for k in range(_TRIES):
-        delta = top * fmpq(1, _SMALLER**k)
+    for delta in _tried(top):
         first = follow(fmpq(0), delta)
         if not isinstance(first, str):
             return _upwards(follow, first, delta, top)
@@ -30,7 +29,12 @@ def in_ranges(follow: Callable[[fmpq, fmpq], T | str], top: fmpq) -> tuple[list[
 
 def smallest(top: fmpq) -> fmpq:
     """The smallest delta that is tried before ``top`` is given up."""
-    return top * fmpq(1, _SMALLER ** (_TRIES - 1))
+    return _tried(top)[-1]
+
+
+def _tried(top: fmpq) -> list[fmpq]:
+    """Not multiples of ``top``: the ranges below a larger delta are those below a smaller one."""
+    return [top, *(delta for delta in _FIRST if delta < top)]
 
 
 def _upwards(follow: Callable[[fmpq, fmpq], T | str], first: T, delta: fmpq, top: fmpq) -> tuple[list[T], str]:

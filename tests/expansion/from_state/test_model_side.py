@@ -43,7 +43,7 @@ CASES = [
     ("5/2", "-1/6", "lift-off", "1e-9"),
     ("7/3", "-3/4", "impact", "1e-8"),
     # near the largest that ranges of epsilon reach
-    ("5/4", "-3", "lift-off", "1/2000"),
+    ("5/4", "-3", "lift-off", "1/2500"),
     ("3/2", "-2", "lift-off", "1/3000"),
     ("3/2", "-1/2", "impact", "1/4500"),
     ("7/3", "-3/4", "impact", "1/32000"),

@@ -67,7 +67,15 @@ def followed(monkeypatch: pytest.MonkeyPatch, whole: bool = True) -> tuple[dict[
 
     monkeypatch.setattr(ledger, "amount", lambda: fmpq(-3, 2))
     monkeypatch.setattr(ledger, "expansion", lambda order: order)
-    monkeypatch.setattr(ledger, "DeviationEquations", lambda order, delta: SimpleNamespace(y=2, given=(order, delta)))
+
+    def lagged(bound: arb, v: arb) -> tuple[arb, arb]:
+        return bound, v
+
+    monkeypatch.setattr(
+        ledger,
+        "DeviationEquations",
+        lambda order, delta: SimpleNamespace(y=2, v=2, lagged=lagged, given=(order, delta)),
+    )
     monkeypatch.setattr(ledger, "track", track)
     monkeypatch.setattr(ledger, "slow_deviation", lambda *given: (arb(2, "1/8") + given[3], arb(10), arb(7, "1/4")))
     return ledger.ratios.__wrapped__(), asked
@@ -78,7 +86,9 @@ def test_the_deviation_begins_with_its_whole_ball(monkeypatch: pytest.MonkeyPatc
     assert (asked["power"], asked["first"], asked["last"]) == (fmpq(8, 3), -1, 1)
     assert asked["middles"] == [1, 10, 7]
     assert all(radius >= least for radius, least in zip(asked["radii"], (arb("1/8"), arb(0), arb("1/4")), strict=True))
-    assert asked["outside"] == 0
+    force, v = asked["outside"]  # f = 0 at the start, and phi what the largest e_v makes of it
+    assert force == 0
+    assert v.contains(arb("7.25"))
     assert list(found) == [0, 1]
     assert found[fmpq(0)] == 1
     assert abs(10 * found[fmpq(1)] - 11) < arb("1e-12")
