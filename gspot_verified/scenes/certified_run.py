@@ -11,13 +11,14 @@ from pathlib import Path
 from flint import fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
+from gspot_verified.compliant.motion.run import AFTER_FLIGHTS, ONE_FLIGHT, CompliantRun, events
 from gspot_verified.compliant.motion.run import IMPACT as LASTING
-from gspot_verified.compliant.motion.run import ONE_FLIGHT, CompliantRun, events
 from gspot_verified.compliant.motion.run import TRIVIAL as CONSTANT
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.scenes.certified.certified_integration import MAX_STEPS, integrated_run
 from gspot_verified.scenes.certified.certified_samples import MAX_POINTS, certified_samples
 from gspot_verified.scenes.certified.run_steps import Progress
+from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
 from gspot_verified.scenes.scene.run import CERTIFIED, FLIGHT_THEN_IMPACT, IMPACT, OPEN, TRIVIAL, RunEvent, SceneRun
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 
@@ -122,7 +123,10 @@ def exact_start(scene: Scene) -> tuple[CompliantModel, CompliantState]:
 def _fate(run: CompliantRun) -> str:
     if run.verdict.outcome is not Outcome.PROVED:
         return OPEN
-    return {LASTING: IMPACT, CONSTANT: TRIVIAL, ONE_FLIGHT: FLIGHT_THEN_IMPACT}.get(run.verdict.statement, OPEN)
+    statement = run.verdict.statement
+    if statement != ONE_FLIGHT and statement.endswith(AFTER_FLIGHTS):
+        return ", ".join([*(event.name for event in run.events if event.name in (LIFT_OFF, TOUCH_DOWN)), IMPACT])
+    return {LASTING: IMPACT, CONSTANT: TRIVIAL, ONE_FLIGHT: FLIGHT_THEN_IMPACT}.get(statement, OPEN)
 
 
 def _events(run: CompliantRun) -> tuple[RunEvent, ...]:

@@ -24,8 +24,12 @@ def events(
     digits: Annotated[int, typer.Option(help="Decimals of the lift-off time, in units of the G-spot, 1..80.")] = 15,
     budget: Annotated[
         int,
-        typer.Option(help="Work of the power series (rate times time), where the bound of the fast part is too wide."),
+        typer.Option(
+            help="Work of the power series (rate times time), where the bound of the fast part is too wide, and in "
+            "each contact after a flight."
+        ),
     ] = 3_000,
+    flights: Annotated[int, typer.Option(help="How many flights are followed.")] = 8,
     as_json: JsonFlag = False,
 ) -> None:
     """What the compliant model does from a state, certified. Lift-off, flight, touch-down, an impact without collision.
@@ -44,7 +48,7 @@ def events(
         start = state_from_text(state)
     else:
         raise ValueError("give --nu or --state, one of them")
-    result = compliant_run(model, start, digits, budget)
+    result = compliant_run(model, start, digits, budget, flights)
     if as_json:
         print_json(result.to_json())
     else:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from flint import fmpq
 
 from gspot_verified.compliant.model.flight import ContactState
-from gspot_verified.compliant.motion.growth_set import excess, slopes
+from gspot_verified.compliant.motion.growth_set import load, slopes
 from gspot_verified.numbers.balls import approximate
 
 _STEPS = 12  # between the two ends, in geometric progression
@@ -20,7 +20,7 @@ def growth_rates(state: ContactState) -> Iterator[fmpq]:
     q, S = approximate(x.q), approximate(x.S)
     if not (q > 0 and S > 0):
         return
-    least, largest = approximate(excess(state)) / q, approximate(x.G) / S
+    least, largest = approximate(load(state)) / q, approximate(x.G) / S
     yield from (fmpq(*rate.as_integer_ratio()) for rate in _between(least, min(largest, 0.9)))
 
 

@@ -42,22 +42,27 @@ def excess(state: ContactState) -> fmpq:
     return state.epsilon * (state.beta - 1)
 
 
+def load(state: ContactState) -> fmpq | arb:
+    """kappa; where alpha_2 > 0 pulls b upwards, kappa + |A|/lambda of the page, not finite where lambda may be 0."""
+    return excess(state) if state.pull >= 0 else excess(state) - state.pull / state.force
+
+
 def in_monotone_set(state: ContactState) -> Evidence | None:
-    """Theorem F2 of the page, beta <= 1: everything has one sign."""
+    """Theorem F2 of the page, the load <= 0: everything has one sign."""
     x = slopes(state)
     signs = _not_negative(x.q, x.force, x.W, x.G)
-    return theorem(_PAGE, at_most(excess(state), 0), at_most(0, state.pull), signs, less(0, x.D))
+    return theorem(_PAGE, at_most(load(state), 0), signs, less(0, x.D))
 
 
 def in_fast_set(state: ContactState, a: fmpq) -> Evidence | None:
     """Theorem F3 of the page: q >= kappa/a + 2a + a^2, and lambda grows at least like e^(aT)."""
-    kappa = excess(state)
+    kappa = load(state)
     if a <= 0:
         return None
     x = slopes(state)
-    wide = at_most(kappa / a + 2 * a + a * a, x.q)
+    wide = at_most(arb(kappa / a + 2 * a + a * a), x.q)
     signs = _not_negative(x.force, x.W, x.G, x.D - a * x.force, x.S - a * (2 + a) * x.force)
-    return theorem(_PAGE, less(0, kappa), at_most(0, state.pull), wide, signs, less(0, x.force) or less(0, x.D))
+    return theorem(_PAGE, less(0, kappa), wide, signs, less(0, x.force) or less(0, x.D))
 
 
 def in_slow_set(state: ContactState, a: fmpq, c: fmpq) -> Evidence | None:

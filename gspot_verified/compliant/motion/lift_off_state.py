@@ -35,9 +35,19 @@ def lift_off_state(before: ContactState, duration: fmpq, bits: int) -> ContactSt
     Not finite when the a-priori enclosure fails: ``duration`` is then too long.
     """
     with working_bits(bits):
+        b, V, _, Z = contact_box(before, duration, bits)
+        p = _places(before, duration)
+        return ContactState(
+            beta=before.beta, epsilon=before.epsilon, alpha_2=before.alpha_2, p=p, b=b, V=V, Y=Z, force=arb(0)
+        )
+
+
+def contact_box(before: ContactState, duration: fmpq, bits: int) -> list[arb]:
+    """b, V, Y, Z as balls that hold the contact phase for ``duration`` (as T) after ``before``; not finite when the
+    a-priori enclosure fails."""
+    with working_bits(bits):
         first = (before.b, before.V, before.Y, before.Y + before.force)
-        first_p, last_p = before.p, before.p - before.epsilon * duration
-        p = hull([first_p, last_p])
+        p = _places(before, duration)
         # Twice the way at the starting rates, and a little: any radius is right that passes the check.
         radii = [
             (2 * duration * abs(rate) + abs(x) * arb(2) ** -bits + arb(2) ** -bits * arb(duration)).abs_upper()
@@ -46,11 +56,12 @@ def lift_off_state(before: ContactState, duration: fmpq, bits: int) -> ContactSt
         box = [add_remainder(x, radius) for x, radius in zip(first, radii, strict=True)]
         rates = _rates(before, p, *box)
         if not all(duration * abs(rate) < radius for rate, radius in zip(rates, radii, strict=True)):
-            box = [nonfinite()] * len(box)
-        b, V, _, Z = box
-        return ContactState(
-            beta=before.beta, epsilon=before.epsilon, alpha_2=before.alpha_2, p=p, b=b, V=V, Y=Z, force=arb(0)
-        )
+            return [nonfinite()] * len(box)
+        return box
+
+
+def _places(before: ContactState, duration: fmpq) -> arb:
+    return hull([before.p, before.p - before.epsilon * duration])
 
 
 def _rates(state: ContactState, p: arb, b: arb, V: arb, Y: arb, Z: arb) -> tuple[arb, arb, arb, arb]:

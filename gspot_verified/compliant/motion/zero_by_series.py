@@ -5,7 +5,9 @@ Proof pages: ``proofs/contact_series.md``, section 4; ``proofs/force_range.md``,
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 
 from flint import arb, arb_poly, fmpq
 
@@ -26,7 +28,7 @@ _BITS_OF_LARGE = 30  # a force so much above the state's size is taken to grow f
 
 
 @dataclass(frozen=True, slots=True)
-class _Piece:
+class Piece:
     """The force lambda = mean + Z - Y and its slope on a part [left, right] of a cell, 0 <= left < right <= 1."""
 
     cell: SeriesCell
@@ -45,10 +47,10 @@ class _Piece:
         _, v, y, z = self.cell.rests
         return -_range(2 * Z - Y + V, 2 * z + y + v, self.left, self.right)
 
-    def halves(self) -> tuple[_Piece, _Piece]:
+    def halves(self) -> tuple[Piece, Piece]:
         """The left and the right half."""
         middle = (self.left + self.right) / 2
-        return _Piece(self.cell, self.mean, self.left, middle), _Piece(self.cell, self.mean, middle, self.right)
+        return Piece(self.cell, self.mean, self.left, middle), Piece(self.cell, self.mean, middle, self.right)
 
     def force_at(self, x: fmpq) -> arb:
         """lambda at a point of the cell."""
@@ -85,13 +87,14 @@ class SeriesZero:
 
 
 @dataclass(slots=True)
-class _Shown:
+class Shown:
     """The pieces on which lambda > 0 was shown, by their times, and how."""
 
     pieces: list[Ends] = field(default_factory=list)
     evidence: list[Evidence] = field(default_factory=list)
 
-    def note(self, piece: _Piece, positive: Evidence) -> None:
+    def note(self, piece: Piece, positive: Evidence) -> None:
+        """One more piece."""
         self.pieces.append((piece.time(piece.left), piece.time(piece.right)))
         self.evidence.append(positive)
 
@@ -102,8 +105,8 @@ def positive_by_series(state: Deviation, mean: fmpq, duration: fmpq, work: int =
         return None
     if duration == 0:
         return less(0, state.force + mean)
-    shown = _Shown()
-    if _not_positive(state, mean, duration, _BITS, shown) is not None:
+    shown = Shown()
+    if not_positive(_cells(state, duration, _BITS), mean, _BITS, shown) is not None:
         return None
     return every([cover(shown.pieces, (fmpq(0), duration)), *shown.evidence])
 
@@ -117,14 +120,15 @@ def zero_by_series(
     None where no such bracket is found.
     """
     for work in (*(stretch for stretch in _STRETCHES if stretch < most_work), most_work):
-        shown = _Shown()
-        piece = _not_positive(state, mean, _duration(state, work), bits, shown, gives_up=True)
+        shown = Shown()
+        cells = _cells(state, duration_of(state, work), bits)
+        piece = not_positive(cells, mean, bits, shown, partial(_has_grown, _large(state, mean)))
         if piece is not None:
-            return _bracket(piece, width / piece.cell.width, bits, shown)
+            return bracket(piece, width / piece.cell.width, bits, shown)
     return None
 
 
-def _duration(state: Deviation, work: int) -> fmpq:
+def duration_of(state: Deviation, work: int) -> fmpq:
     """About the time at which this work is done: a heuristic."""
     duration = work / series_rate(state, fmpq(0))
     for _ in range(4):
@@ -132,20 +136,46 @@ def _duration(state: Deviation, work: int) -> fmpq:
     return duration
 
 
-def _not_positive(
-    state: Deviation, mean: fmpq, duration: fmpq, bits: int, shown: _Shown, gives_up: bool = False
-) -> _Piece | None:
+def cell_count(state: Deviation, duration: fmpq, work: int = _WORK_OF_A_CELL) -> int:
+    """How many cells of about this work a stretch is cut into."""
+    return max(1, int((series_work(state, duration) / work).ceil()))
+
+
+def _cells(state: Deviation, duration: fmpq, bits: int) -> Iterator[SeriesCell]:
+    return series_cells(state, duration, cell_count(state, duration), bits)
+
+
+def _large(state: Deviation, mean: fmpq) -> arb:
+    """A force after which no zero is to be expected: a heuristic."""
+    return arb(2) ** _BITS_OF_LARGE * (1 + abs(arb(mean)) + abs(arb(state.b)) + abs(arb(state.V)) + arb(state.force))
+
+
+def _has_grown(large: arb, cell: SeriesCell) -> bool:
+    _, _, Y, Z = cell.at(arb(1))
+    return large < Z - Y
+
+
+def not_positive(
+    cells: Iterable[SeriesCell],
+    mean: fmpq,
+    bits: int,
+    shown: Shown,
+    stops: Callable[[SeriesCell], bool] = lambda _: False,
+    rising: bool = False,
+) -> Piece | None:
     """The first piece on which lambda > 0 is not shown and its slope is < 0, or that is too short to be cut; ``shown``
-    notes the pieces before it. None when lambda > 0 up to the end; and, if ``gives_up``, when lambda has become so
-    large that no zero is to be expected: a heuristic."""
-    large = arb(2) ** _BITS_OF_LARGE * (1 + abs(arb(mean)) + abs(arb(state.b)) + abs(arb(state.V)) + arb(state.force))
-    steps = int((series_work(state, duration) / _WORK_OF_A_CELL).ceil())
-    for cell in series_cells(state, duration, max(1, steps), bits):
+    notes the pieces before it. None when lambda > 0 up to the end, or up to the end of a cell at which it ``stops``.
+
+    ``rising``: lambda >= 0 at the start is known, so that a slope > 0 is enough on the first piece, the start apart.
+    """
+    for cell in cells:
         with working_bits(bits + 64):
-            waiting = [_Piece(cell, mean, fmpq(0), fmpq(1))]
+            waiting = [Piece(cell, mean, fmpq(0), fmpq(1))]
             while waiting:
                 piece = waiting.pop()
                 positive = piece.shown_positive()
+                if positive is None and rising and piece.left == 0 and cell.first == 0:
+                    positive = less(0, piece.slope())
                 if positive is not None:
                     shown.note(piece, positive)
                     continue
@@ -153,12 +183,12 @@ def _not_positive(
                 if falls or piece.right - piece.left <= _LEAST_PIECE:
                     return piece
                 waiting += reversed(piece.halves())
-            if gives_up and cell.at(arb(1))[3] - cell.at(arb(1))[2] > large:
+            if stops(cell):
                 return None
     return None
 
 
-def _bracket(piece: _Piece, width: fmpq, bits: int, shown: _Shown) -> SeriesZero | None:
+def bracket(piece: Piece, width: fmpq, bits: int, shown: Shown) -> SeriesZero | None:
     """Halved down to a part of length ``width`` of the cell, while the signs at both ends are certain."""
     with working_bits(bits + 64):
         left, right = piece.left, piece.right

@@ -147,7 +147,7 @@ def test_rates_outside_their_range_are_refused() -> None:
         {"D": fmpq(9, 100)},
         {"W": fmpq(1, 20), "G": fmpq(1, 20)},
         {"q": fmpq(21, 100)},
-        {"alpha_2": fmpq(1)},
+        {"alpha_2": fmpq(4)},
         {"force": fmpq(0), "D": fmpq(0)},
     ],
 )
@@ -171,12 +171,13 @@ def test_no_information_is_in_no_set(name: str) -> None:
     q=st.integers(1, 60),
     beta=st.sampled_from([fmpq(1, 2), fmpq(3, 2), fmpq(4)]),
     small=st.sampled_from([fmpq(1, 10), fmpq(1, 1000)]),
+    alpha_2=st.sampled_from([DOWN, fmpq(1), fmpq(20)]),
 )
 def test_a_contact_that_is_lost_is_never_called_lasting(
-    slopes: tuple[int, int, int], force: int, q: int, beta: fmpq, small: fmpq
+    slopes: tuple[int, int, int], force: int, q: int, beta: fmpq, small: fmpq, alpha_2: fmpq
 ) -> None:
     D, W, G = (fmpq(value, 8) for value in slopes)
-    state = built(D, W, G, fmpq(q, 100), fmpq(force, 10), beta, small)
+    state = built(D, W, G, fmpq(q, 100), fmpq(force, 10), beta, small, alpha_2)
     if lasting_contact(state).outcome is Outcome.PROVED:
         with mpmath.workdps(25):
             assert all(value > 0 for _, value in follow(state, 6)[1:])
@@ -197,14 +198,49 @@ def test_the_slow_set_asks_for_the_whole_of_m() -> None:
         inside = {"force": fmpq(5), "D": fmpq(1), "W": fmpq(1, 2), "G": fmpq(7, 10)}
         assert in_slow_set(slow_with(**inside), RATE, LAG)
         assert not in_slow_set(slow_with(**{**inside, "G": fmpq(1, 2)}), RATE, LAG)
+        assert not in_slow_set(slow_with(**{**inside, "D": fmpq(49, 100)}), RATE, LAG)  # D >= a lambda
 
 
-def test_the_monotone_set_needs_a_pull_downwards() -> None:
+def test_the_monotone_set_with_a_force_of_0_needs_a_pull_downwards() -> None:
     """-alpha_2 >= 0; any pull, however small, will do."""
     with working_bits(100):
         for alpha_2, holds in ((fmpq(0), True), (fmpq(-1, 1000), True), (fmpq(1, 1000), False)):
             state = built(fmpq(1), fmpq(0), fmpq(0), fmpq(0), fmpq(0), fmpq(1, 2), fmpq(1), alpha_2)
             assert bool(in_monotone_set(state) is not None) is holds
+
+
+TINY = fmpq(1, 2**40)
+
+
+def test_the_load_where_alpha_2_pulls_upwards() -> None:
+    """kappa + epsilon alpha_2/lambda, beside each equality; the force is not below its mean alpha_2/(1 - beta)."""
+    with working_bits(200):
+        for alpha_2, holds in ((fmpq(1, 2), True), (fmpq(1, 2) + TINY, False)):
+            state = built(fmpq(1), fmpq(0), fmpq(0), fmpq(0), fmpq(1), fmpq(1, 2), fmpq(1), alpha_2)
+            assert (in_monotone_set(state) is not None) is holds
+        small, rate = fmpq(1, 1024), fmpq(1, 8)  # short in binary: the balls are points
+        least = (small + small * 3 / 2) / rate + 2 * rate + rate**2
+        for q, holds in ((least, True), (least - TINY, False)):
+            fast = built(fmpq(1), fmpq(2), fmpq(1), q, fmpq(2), fmpq(2), small, fmpq(3))
+            assert (in_fast_set(fast, rate) is not None) is holds
+        touching = built(fmpq(1), fmpq(1), fmpq(1), fmpq(4), fmpq(0), fmpq(2), fmpq(1, 1000), fmpq(1))
+        assert in_fast_set(touching, RATE) is None
+        assert in_fast_set(replace(touching, alpha_2=fmpq(-1)), RATE) is not None
+
+
+PULLED = {
+    "monotone": built(fmpq(1, 100), fmpq(1, 10), fmpq(1, 10), fmpq(1, 10), fmpq(3), fmpq(1, 2), fmpq(1, 10), fmpq(1)),
+    "fast": built(fmpq(1), fmpq(1), fmpq(1), fmpq(1, 4), fmpq(1), fmpq(2), fmpq(1, 1000), fmpq(1)),
+}
+
+
+@pytest.mark.parametrize("state", PULLED.values(), ids=PULLED)
+def test_the_force_grows_where_alpha_2_pulls_upwards(state: ContactState) -> None:
+    assert lasting_contact(state).outcome is Outcome.PROVED
+    with mpmath.workdps(30):
+        run = follow(state, 60)
+        assert all(before < after for (_, before), (_, after) in pairwise(run))
+        assert run[-1][1] > 10
 
 
 @pytest.mark.parametrize("size", [fmpq(1, 1000), fmpq(1000)])

@@ -81,7 +81,9 @@ def test_the_hypotheses_of_theorem_f2() -> None:
     assert held(in_monotone_set, state(**{**below, "D": TINY}))
     assert not held(in_monotone_set, state(**{**below, "D": fmpq(0)}))
     assert held(in_monotone_set, replace(state(**below), alpha_2=fmpq(0)))
-    assert not held(in_monotone_set, replace(state(**below), alpha_2=TINY))
+    # alpha_2 > 0: lambda is not below the mean force alpha_2/(1 - beta)
+    assert held(in_monotone_set, replace(state(**below), alpha_2=fmpq(1, 2)))
+    assert not held(in_monotone_set, replace(state(**below), alpha_2=fmpq(1, 2) + TINY))
 
 
 def test_the_hypotheses_of_theorem_f3() -> None:
@@ -100,7 +102,10 @@ def test_the_hypotheses_of_theorem_f3() -> None:
     for beta, rate in ((fmpq(1), a), (fmpq(1, 2), a), (fmpq(3, 2), fmpq(0)), (fmpq(3, 2), -a)):
         assert not held(in_fast_set, state(**{**BASE, "beta": beta}), rate)
     assert held(in_fast_set, replace(state(**BASE), alpha_2=fmpq(0)), a)
-    assert not held(in_fast_set, replace(state(**BASE), alpha_2=TINY), a)
+    # alpha_2 > 0: kappa + epsilon alpha_2/lambda in the place of kappa
+    pulled = {**BASE, "q": edge + SMALL * 3 / a}
+    assert held(in_fast_set, replace(state(**pulled), alpha_2=fmpq(3)), a)
+    assert not held(in_fast_set, replace(state(**pulled), alpha_2=3 + TINY), a)
 
 
 def test_the_hypotheses_of_theorem_f4() -> None:

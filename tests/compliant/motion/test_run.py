@@ -14,7 +14,7 @@ from witnesses.theta import contains_witness, to_fraction
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion.contact_series import MAX_WORK
 from gspot_verified.compliant.motion.first_zero import FirstZero, first_zero
-from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, CompliantRun, _second_contact, events
+from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, CompliantRun, _next_contact, events
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -125,11 +125,13 @@ def test_a_flight_that_never_ends() -> None:
     assert run.events[0].upper < 0
 
 
-def test_what_is_not_shown_is_undecided() -> None:
+def test_a_flight_that_ends_nowhere_for_all_that_b_is_negative() -> None:
+    """alpha_2 > 0 and b < 0 at lift-off: shown by pieces of time."""
     model = compliant_model("5/2", "1e-4", alpha_2=1)
     run = events(model, paper_state(model, 2))
-    assert run.verdict.outcome is Outcome.UNDECIDED
-    assert [event.name for event in run.events] == ["lift-off"]
+    assert run.verdict.outcome is Outcome.PROVED
+    assert run.verdict.statement == "the flight never ends"
+    assert run.events[-1].state.b < 0
 
 
 def test_a_budget_that_ends_is_named() -> None:
@@ -147,9 +149,9 @@ def test_a_contact_is_lost_again_only_where_k_is_certainly_negative(
 ) -> None:
     state = run_of("3/2", "2", "1e-6").events[1].state
     monkeypatch.setattr("gspot_verified.compliant.motion.run.side", lambda *_: value)
-    found = _second_contact(state, 60)
+    found = _next_contact(state, 60, 1, 300)
     assert found.outcome is (outcome or Outcome.UNDECIDED)
-    assert (found.reason is Reason.HYPOTHESIS) is (outcome is None)
+    assert (found.reason is Reason.BUDGET) is (outcome is None)
     assert outcome is None or found.statement == "one flight, then a contact that is lost again"
 
 

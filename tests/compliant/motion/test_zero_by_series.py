@@ -22,7 +22,7 @@ from gspot_verified.compliant.motion import first_zero as first_zero_module
 from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.contact_series import SeriesCell, series_cells
 from gspot_verified.compliant.motion.first_zero import contact_lasts, first_zero
-from gspot_verified.compliant.motion.zero_by_series import _Piece, _range, positive_by_series, zero_by_series
+from gspot_verified.compliant.motion.zero_by_series import Piece, _range, positive_by_series, zero_by_series
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -138,7 +138,7 @@ def test_the_rests_enter_with_their_factors() -> None:
     wide = type(cell)(cell.first, cell.width, cell.variables, (arb(64), arb(16), arb(4), arb(1)))
     narrow = type(cell)(cell.first, cell.width, cell.variables, (arb(0),) * 4)
     for name, rest in (("force", 5), ("slope", 16 + 2 + 4)):
-        one, two = (getattr(_Piece(c, fmpq(0), fmpq(0), fmpq(1)), name)() for c in (wide, narrow))
+        one, two = (getattr(Piece(c, fmpq(0), fmpq(0), fmpq(1)), name)() for c in (wide, narrow))
         with working_bits(80):
             assert abs(one.rad() - two.rad() - rest) < fmpq(1, 1000)
 
@@ -226,7 +226,7 @@ def test_at_the_state_itself_the_force_is_compared() -> None:
 def test_halves_join_in_the_middle(ends: tuple[fmpq, fmpq]) -> None:
     model, state = motion("1/10")
     cell = next(iter(series_cells(deviation(model, state), fmpq(1, 3), 1, 128)))
-    left, right = _Piece(cell, fmpq(2), *ends).halves()
+    left, right = Piece(cell, fmpq(2), *ends).halves()
     assert (left.left, right.right, left.mean, right.mean) == (*ends, 2, 2)
     assert left.right == right.left == sum(ends) / 2
 
@@ -236,14 +236,14 @@ def test_the_slope_of_a_piece_is_that_of_the_force() -> None:
     model, state = motion("1/10")
     cell = next(iter(series_cells(deviation(model, state), fmpq(1, 3), 1, 128)))
     with working_bits(200):
-        piece = _Piece(cell, model.mean_force, fmpq(1, 2), fmpq(1, 2) + fmpq(1, 2**20))
+        piece = Piece(cell, model.mean_force, fmpq(1, 2), fmpq(1, 2) + fmpq(1, 2**20))
         ahead, behind = (cell.at(arb(x)) for x in (piece.right, piece.left))
         quotient = (ahead[3] - ahead[2] - behind[3] + behind[2]) / (cell.width * (piece.right - piece.left))
         slope = piece.slope()
         assert slope.is_finite()
         assert slope.overlaps(quotient)
         assert abs(slope - quotient) < 1e-4
-        whole = _Piece(cell, model.mean_force, fmpq(0), fmpq(1)).slope()
+        whole = Piece(cell, model.mean_force, fmpq(0), fmpq(1)).slope()
         assert whole.contains(slope.mid())
 
 
