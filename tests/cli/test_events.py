@@ -34,7 +34,9 @@ def test_the_same_from_a_state_as_json(capsys: pytest.CaptureFixture[str]) -> No
 
 
 def test_an_open_question_leaves_with_2(capsys: pytest.CaptureFixture[str]) -> None:
-    code, output, _ = run(capsys, "events", "--beta", "5/2", "--eps", "1e-4", "--nu", "2", "--alpha2", "1")
+    """A second flight that is not followed."""
+    words = ("--beta", "9/32", "--eps", "1/77", "--alpha1=-9/8", "--alpha2", "3/4", "--flights", "1")
+    code, output, _ = run(capsys, "events", *words, "--state=7/8,-11/32,-53/94864,43/2464,-27/189728")
     assert code == 2
     assert output.startswith("undecided")
 

@@ -42,6 +42,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--float": (bool, "a float run in place of the certified one"),
     "--formal": (bool, "the Coq proofs too"),
     "--from": (str, "a state, component by component"),
+    "--flights": (int, "how many flights of a run are followed"),
     "--full": (bool, "run every check again"),
     "--growth": (bool, "how the lift-off time grows"),
     "--in-time": (bool, "the expansion in t and epsilon"),

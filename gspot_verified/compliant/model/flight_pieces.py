@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from flint import arb, fmpq
 
 from gspot_verified.compliant.model.flight import Flight
-from gspot_verified.numbers.balls import hull
+from gspot_verified.numbers.balls import hull, sign_of
 from gspot_verified.numbers.evidence import Ends, at_most, cover, every, less
-from gspot_verified.numbers.verdict import Evidence
+from gspot_verified.numbers.verdict import Evidence, Reason
 
 _DOUBLINGS = 100  # of the time that is looked at, against endless work
 _MOST_PIECES = 2_000  # against endless work; then nothing is said
@@ -39,8 +39,8 @@ class _Shown:
     evidence: list[Evidence] = field(default_factory=list)
 
 
-def landing(flight: Flight, narrowed: Narrowed) -> Landing | None:
-    """The first zero of h after 0, or that there is none; None where neither is shown. Hypothesis: h'(0) > 0."""
+def landing(flight: Flight, narrowed: Narrowed) -> Landing | Reason:
+    """The first zero of h after 0, or that there is none, or why neither is shown. Hypothesis: h'(0) > 0."""
     last, never = fmpq(1), None
     for _ in range(_DOUBLINGS):
         never = _positive_from(flight, last)
@@ -62,12 +62,21 @@ def landing(flight: Flight, narrowed: Narrowed) -> Landing | None:
             signs = (less(rate, 0), less(0, flight.gap(arb(lower))), less(flight.gap(arb(upper)), 0))
             covered = cover([*shown.pieces, (begin, lower)], (fmpq(0), lower))
             evidence = every([covered, *shown.evidence, *signs])
-            return None if evidence is None else Landing(evidence, lower, upper)
+            return Reason.WIDE_INPUT if evidence is None else Landing(evidence, lower, upper)
         else:
             middle = (begin + end) / 2
             waiting += [(middle, end), (begin, middle)]
-    evidence = None if waiting else every([cover(shown.pieces, (fmpq(0), last)), *shown.evidence, never])
-    return None if evidence is None else Landing(evidence)
+    if waiting:
+        return Reason.WIDE_INPUT if _blurred(flight, waiting[-1][1]) else Reason.BUDGET
+    evidence = every([cover(shown.pieces, (fmpq(0), last)), *shown.evidence, never])
+    return Reason.BUDGET if evidence is None else Landing(evidence)
+
+
+def _blurred(flight: Flight, time: fmpq) -> bool:
+    """Whether the state is no single point, and h has no certain sign at a time."""
+    start = flight.start
+    exact = all(value.is_exact() for value in (start.b, start.V, start.Y))
+    return not exact and sign_of(flight.gap(arb(time))) not in (1, -1)
 
 
 def _positive(flight: Flight, begin: fmpq, end: fmpq, rate: arb) -> Evidence | None:

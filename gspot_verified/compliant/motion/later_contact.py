@@ -25,7 +25,7 @@ from gspot_verified.compliant.motion.zero_by_series import (
 )
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import cover, every, less
-from gspot_verified.numbers.verdict import Evidence, Outcome
+from gspot_verified.numbers.verdict import Evidence, Outcome, Reason
 
 _GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
 _STRETCHES = (30, 100, 300, 1_000)  # work after which the contact is followed anew and further; any numbers are right
@@ -103,7 +103,9 @@ class _Course:
         b, V, Y, Z = cell.at(arb(x))
         force, b = Z - Y + self.mean, b - p * self.mean
         Y = Y - 2 * self.mean
-        return ContactState(landed.beta, landed.epsilon, landed.alpha_2, p, b, V, Y, force)
+        return ContactState(
+            beta=landed.beta, epsilon=landed.epsilon, alpha_2=landed.alpha_2, p=p, b=b, V=V, Y=Y, force=force
+        )
 
     def stops(self, cell: SeriesCell) -> bool:
         """Whether the contact lasts for ever from the end of the cell on."""
@@ -116,14 +118,14 @@ class _Course:
         return self.lasts is not None
 
 
-def later_contact(start: TouchDown, mean: fmpq, digits: int, bits: int, budget: int) -> LaterContact | None:
-    """How the contact after a touch-down goes on; None where neither is shown. ``mean``: of the force, normal form.
+def later_contact(start: TouchDown, mean: fmpq, digits: int, bits: int, budget: int) -> LaterContact | Reason:
+    """How the contact after a touch-down goes on, or why that stays open. ``mean``: of the force, in the normal form.
 
     ``budget``: the work, rate times time, up to which it is followed.
     """
     course = _begun(start, mean, bits)
     if course is None:
-        return None
+        return Reason.WIDE_INPUT
     for work in (*(stretch for stretch in _STRETCHES if stretch < budget), budget):
         shown = Shown()
         cells = course.cells(duration_of(course.zero(), work))
@@ -132,10 +134,10 @@ def later_contact(start: TouchDown, mean: fmpq, digits: int, bits: int, budget: 
             there, lasting, detail, time = course.lasts
             covered = cover(shown.pieces, (fmpq(0), time))
             evidence = every([course.begun, covered, *shown.evidence, lasting])
-            return None if evidence is None else LaterContact(time, time, there, evidence, detail)
+            return Reason.WIDE_INPUT if evidence is None else LaterContact(time, time, there, evidence, detail)
         if piece is not None:
-            return _lost(course, piece, shown, digits)
-    return None
+            return _lost(course, piece, shown, digits) or Reason.WIDE_INPUT
+    return Reason.BUDGET
 
 
 def _begun(start: TouchDown, mean: fmpq, bits: int) -> _Course | None:

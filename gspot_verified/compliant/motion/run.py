@@ -144,6 +144,8 @@ def events(
     for accuracy in (digits, *(more for more in _MORE_DIGITS if more > digits)):
         zero = first_zero(model, state, accuracy, budget)
         if zero.lower is None or zero.upper is None or zero.verdict.evidence is None:
+            if accuracy != digits:
+                break  # what fewer digits gave stands
             detail = f"neither the loss of contact nor its lasting for ever was shown: {zero.verdict.detail}"
             reason = zero.verdict.reason or Reason.HYPOTHESIS
             return CompliantRun(model, state, (), Verdict.undecided("how the first contact ends", reason, detail))
@@ -210,9 +212,9 @@ class _Followed:
                 once = theorem("proofs/flight.md", *self.shown, lasting.evidence)
                 return self._run(Verdict.proved(_after_flights(number), once, lasting.detail))
             later = self._later(end.state, landed)
-            if later is None:
+            if isinstance(later, Reason):
                 self.lacks_bits = True
-                return self._ended(_next_contact(end.state, self.bits, number, self.budget))
+                return self._ended(_next_contact(end.state, self.bits, number, self._open(later)))
             bracket = (landed[1] + self.model.epsilon * later.lower, landed[1] + self.model.epsilon * later.upper)
             before, lost = later.state, later.evidence
             if later.lasts is not None:
@@ -229,11 +231,18 @@ class _Followed:
         self._note("lift-off", bracket, start, "λ_N > 0 before it, dλ_N/dt < 0 at it", lost)
         return start
 
-    def _later(self, landed: ContactState, bracket: tuple[fmpq, fmpq]) -> LaterContact | None:
+    def _later(self, landed: ContactState, bracket: tuple[fmpq, fmpq]) -> LaterContact | Reason:
         model, (first, last) = self.model, bracket
         touch_down = TouchDown(landed, (last - first) / model.epsilon, model.alpha_1 * last)
         digits = digits_for_bits(self.bits)
         return later_contact(touch_down, model.mean_force * model.sigma**2, digits, self.bits, self.budget)
+
+    def _open(self, reason: Reason) -> tuple[Reason, str]:
+        """The reason, and what was not found."""
+        none = "it was found in none of the invariant sets, nor a zero of its force"
+        if reason is Reason.BUDGET:
+            return reason, f"{none}, within its budget of {self.budget} (the work of the power series, rate times time)"
+        return reason, f"{none}: the balls of its state are too wide for a sign"
 
     def _note(
         self, name: str, bracket: tuple[fmpq, fmpq], state: ContactState, strength: str, evidence: Evidence
@@ -266,16 +275,13 @@ def _resting_on(before: Sequence[Evidence], verdict: Verdict) -> Verdict:
     return Verdict.proved(verdict.statement, every([*before, verdict.evidence]), verdict.detail)
 
 
-def _next_contact(state: ContactState, bits: int, number: int, budget: int) -> Verdict:
+def _next_contact(state: ContactState, bits: int, number: int, why: tuple[Reason, str]) -> Verdict:
     """What the sign of K says of the contact after a flight where its end was not found."""
     value, so_far = side(state, bits), "one flight" if number == 1 else f"{number} flights"
     if (negative := less(value, 0)) is not None:
         return Verdict.proved(f"{so_far}, then a contact that is lost again", negative, f"K = {ball_text(value)} < 0")
-    detail = (
-        f"it was found in none of the invariant sets, nor a zero of its force, within its budget of {budget} (the "
-        f"work of the power series, rate times time); K = {ball_text(value)}"
-    )
-    return Verdict.undecided(f"the contact after {so_far}", Reason.BUDGET, detail)
+    reason, text = why
+    return Verdict.undecided(f"the contact after {so_far}", reason, f"{text}; K = {ball_text(value)}")
 
 
 def _velocity(model: CompliantModel, state: ContactState) -> arb:

@@ -72,9 +72,9 @@ def _any_flight(flight: Flight, rising: Evidence, bits: int) -> FlightEnd:
         return lower, _moved_on(here, end, lower, -1, bits)
 
     found = landing(flight, narrowed)
-    if found is None:
+    if isinstance(found, Reason):
         detail = "neither a first touch-down nor that there is none was shown by pieces of time"
-        return FlightEnd(Verdict.undecided("the end of the flight", Reason.BUDGET, detail))
+        return FlightEnd(Verdict.undecided("the end of the flight", found, detail))
     if found.lower is None or found.upper is None:
         return FlightEnd(Verdict.proved(NEVER, theorem(_PAGE, rising, found.evidence), "by pieces of time"))
     text = "the first touch-down, with h' < 0"

@@ -10,7 +10,8 @@ from flint import arb, fmpq
 from witnesses.contact import moved
 
 from gspot_verified.compliant.model.flight import ContactState
-from gspot_verified.compliant.motion.later_contact import TouchDown, later_contact
+from gspot_verified.compliant.motion.later_contact import LaterContact, TouchDown, later_contact
+from gspot_verified.numbers.verdict import Reason
 
 BETA, SMALL, P, AT_ONCE = fmpq(5, 2), fmpq(1, 100), fmpq(-1, 8), fmpq(0)
 MEAN = fmpq(2, 3)  # alpha_2/(1 - beta), alpha_2 = -1
@@ -37,7 +38,7 @@ def force_at(state: ContactState, time: fmpq) -> mpmath.mpf:
     return Z - Y + mean
 
 
-def followed(state: ContactState, duration: fmpq = AT_ONCE, budget: int = 300):
+def followed(state: ContactState, duration: fmpq = AT_ONCE, budget: int = 300) -> LaterContact | Reason:
     p = P - SMALL * duration
     return later_contact(TouchDown(state, duration, p), MEAN, 20, 120, budget)
 
@@ -48,7 +49,7 @@ LASTING = landed(fmpq(-1, 2), fmpq(-1), fmpq(-1, 4))
 
 def test_a_contact_that_is_lost_has_its_zero_in_the_bracket() -> None:
     found = followed(LOST)
-    assert found is not None
+    assert isinstance(found, LaterContact)
     assert found.lasts is None
     assert found.upper - found.lower < fmpq(1, 10**20)
     with mpmath.workdps(50):
@@ -60,7 +61,7 @@ def test_a_contact_that_is_lost_has_its_zero_in_the_bracket() -> None:
 
 def test_a_contact_that_lasts_is_in_a_set_at_the_end() -> None:
     found = followed(LASTING)
-    assert found is not None
+    assert isinstance(found, LaterContact)
     assert found.lasts is not None
     assert found.lower == found.upper
     with mpmath.workdps(30):
@@ -76,7 +77,7 @@ def test_a_bracket_of_the_touch_down_covers_each_instant_in_it(state: ContactSta
     """The motion of each instant of landing: its zero lies in the one bracket."""
     duration = fmpq(1, 10**9)
     found = followed(state, duration)
-    assert found is not None
+    assert isinstance(found, LaterContact)
     assert (found.lasts is None) is (state is LOST)
     if state is LOST:
         with mpmath.workdps(40):
@@ -87,16 +88,16 @@ def test_a_bracket_of_the_touch_down_covers_each_instant_in_it(state: ContactSta
 def test_balls_that_hold_both_answers_leave_it_open() -> None:
     """Between the two states there is one whose contact is neither lost nor kept within the work: the ball holds it."""
     wide = replace(LOST, b=arb(0, fmpq(3, 4)), V=arb(fmpq(-5, 8), fmpq(1, 2)))
-    assert followed(wide) is None
+    assert followed(wide) is Reason.WIDE_INPUT
 
 
 def test_a_force_that_may_fall_at_once_leaves_it_open() -> None:
     """At the touch-down d lambda/dT = -Y - V, 2^-40 beside 0."""
     tiny = fmpq(1, 2**40)
-    assert followed(landed(fmpq(1, 2), fmpq(1, 4), fmpq(-1, 4))) is None
-    assert followed(landed(fmpq(1, 2), fmpq(1, 4) + tiny, fmpq(-1, 4))) is None
-    assert followed(landed(fmpq(-1, 2), fmpq(1, 4) - tiny, fmpq(-1, 4))) is not None
+    assert followed(landed(fmpq(1, 2), fmpq(1, 4), fmpq(-1, 4))) is Reason.WIDE_INPUT
+    assert followed(landed(fmpq(1, 2), fmpq(1, 4) + tiny, fmpq(-1, 4))) is Reason.WIDE_INPUT
+    assert isinstance(followed(landed(fmpq(-1, 2), fmpq(1, 4) - tiny, fmpq(-1, 4))), LaterContact)
 
 
 def test_work_that_ends_leaves_it_open() -> None:
-    assert followed(LOST, budget=1) is None
+    assert followed(LOST, budget=1) is Reason.BUDGET

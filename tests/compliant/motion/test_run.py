@@ -6,6 +6,7 @@ import dataclasses
 import json
 from typing import Any
 
+import mpmath
 import pytest
 from flint import arb, fmpq
 from witnesses.flight import lift_off_by_series
@@ -131,7 +132,14 @@ def test_a_flight_that_ends_nowhere_for_all_that_b_is_negative() -> None:
     run = events(model, paper_state(model, 2))
     assert run.verdict.outcome is Outcome.PROVED
     assert run.verdict.statement == "the flight never ends"
-    assert run.events[-1].state.b < 0
+    start = run.events[-1].state
+    assert start.b < 0
+    with mpmath.workdps(40):  # the gap itself, where it is least
+        b, V, Y = (mpmath.mpf(value.str(30, radius=False)) for value in (start.b, start.V, start.Y))
+        places = [mpmath.mpf(k) / 4 for k in range(1, 8000)]
+        gaps = [V * u + b * u**2 / 2 + mpmath.mpf("1e-4") * u**3 / 6 - Y * mpmath.expm1(-u) for u in places]
+    assert all(gap > 0 for gap in gaps)
+    assert gaps[-1] > gaps[-2]
 
 
 def test_a_budget_that_ends_is_named() -> None:
@@ -149,7 +157,7 @@ def test_a_contact_is_lost_again_only_where_k_is_certainly_negative(
 ) -> None:
     state = run_of("3/2", "2", "1e-6").events[1].state
     monkeypatch.setattr("gspot_verified.compliant.motion.run.side", lambda *_: value)
-    found = _next_contact(state, 60, 1, 300)
+    found = _next_contact(state, 60, 1, (Reason.BUDGET, "not found"))
     assert found.outcome is (outcome or Outcome.UNDECIDED)
     assert (found.reason is Reason.BUDGET) is (outcome is None)
     assert outcome is None or found.statement == "one flight, then a contact that is lost again"
