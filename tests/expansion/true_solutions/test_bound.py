@@ -18,6 +18,7 @@ from witnesses.true_solutions import extended_motion, oscillator_motion, oscilla
 
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
+from gspot_verified.expansion.true_solutions import bound as module
 from gspot_verified.expansion.true_solutions.bound import UniformBound, _contact, _largest, uniform_bound
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.functions.symbols import Symbols
@@ -219,3 +220,20 @@ def test_the_constant_of_the_whole_is_the_largest_of_the_pieces(extended: Unifor
     assert _largest([arb(1), arb(5), arb(2)]) == 5
     for name, constant in extended.constants.items():
         assert all(one.constants[name] <= constant for one in extended.stretches)
+
+
+def test_the_start_of_phi_holds_that_of_f(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Corollary 1: phi_0 = (1 + (l/g) delta_0) E, here l/g = 1/4."""
+
+    class Begun(Exception):
+        pass
+
+    def begin(*arguments: Any) -> Any:
+        _, radii, fast = arguments[4:7]
+        assert all(radius == 3 for radius in radii)
+        assert Fraction(3 * 81, 80) <= ends(fast)[1] <= Fraction(3 * 81, 80) * (1 + Fraction(1, 10**9))
+        raise Begun
+
+    monkeypatch.setattr(module, "track", begin)
+    with pytest.raises(Begun):
+        uniform_bound(expand(extended_example(chi=1), 6), -1, 1, "1/20", within=3)

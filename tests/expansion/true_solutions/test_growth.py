@@ -168,9 +168,11 @@ def test_the_radii_hold_the_slow_deviation_and_the_tube(monkeypatch: pytest.Monk
         pass
 
     def begin(*arguments: Any) -> Track:
-        middles, radii = arguments[4:6]
+        middles, radii, fast = arguments[4:7]
         assert all(value.is_exact() for value in middles)
         assert all(Fraction(3, 4) <= ends(radius)[0] <= Fraction(4, 5) for radius in radii)
+        # |phi| <= |f| + (l/g) delta |e_v| = 1/4 + 1/4 1/50 (3/2 + 1/4)
+        assert Fraction(25875, 100000) <= ends(fast)[1] <= Fraction(25876, 100000)
         raise Begun
 
     def wide(equations: DeviationEquations, *_: Any) -> list[arb]:
