@@ -15,8 +15,9 @@ from gspot_verified.theta_function.gamma.power import positive_power
 _RATIOS_FROM_BITS = 3_457
 _MAX_BETA = 100  # so far the shifts by integers are cheap
 _MAX_DENOMINATOR = 1_000  # so far the series with its powers of q is cheap
-# Denominators at which FLINT knows Gamma through elliptic integrals.
-_CHEAP = (1, 2, 3, 4, 6)
+# Denominators of x at which FLINT knows Gamma(x), Gamma(x + 1/3), Gamma(x + 2/3) through elliptic integrals.
+_CHEAP = (1, 2, 3, 6)
+_TWELFTHS = (4, 12)  # those of x at which the three arguments are twelfths, phi is 1/4 or 3/4
 
 
 def pays(beta: fmpq) -> bool:
@@ -29,7 +30,10 @@ def pays(beta: fmpq) -> bool:
 def reduced_initial_values(beta: fmpq, bits: int) -> tuple[arb, arb, arb]:
     """Enclosures of Theta(0), Theta'(0), Theta''(0) at the current precision ``bits``, for a beta that ``pays``."""
     phi = _fraction(-beta)
-    first, ratios = (_from_gamma if bits < _RATIOS_FROM_BITS else _from_series)(phi, -beta, bits)
+    if int((phi / 3).q) in _TWELFTHS:
+        first, ratios = _from_twelfths(phi, -beta)
+    else:
+        first, ratios = (_from_gamma if bits < _RATIOS_FROM_BITS else _from_series)(phi, -beta, bits)
     reciprocal_shift = _gamma_shift(phi, -beta)
     cube_root = arb(3).root(3)
     values = []
@@ -71,6 +75,21 @@ def _from_series(phi: fmpq, minus_beta: fmpq, bits: int) -> _Ratios:
     cube = 2 * arb.pi() * arb(3).sqrt() * power * unit**3 / (square * square * far)
     second = near / unit
     return cube.root(3), [arb(1), second, second * far / unit]
+
+
+def _from_twelfths(phi: fmpq, minus_beta: fmpq) -> _Ratios:
+    """From Gamma(1/4) and Gamma(1/3), for phi = 1/4 and 3/4: Gamma(1/12) and Gamma(5/12) by product and quotient."""
+    quarter = arb.gamma_fmpq(fmpq(1, 4))
+    product = (2 * arb(3).sqrt()).sqrt() * quarter**2
+    high_sine = arb.sin_pi_fmpq(fmpq(5, 12))
+    quotient = positive_power(arb(2), fmpq(5, 6)) * high_sine * arb.gamma_fmpq(fmpq(1, 6)) / arb.pi().sqrt()
+    first, fifth = (product * quotient).sqrt(), (product / quotient).sqrt()
+    three_quarters = arb.pi() * arb(2).sqrt() / quarter
+    factor = positive_power(arb(3), minus_beta / 3 - 1)
+    if phi == fmpq(1, 4):
+        return factor / quarter, [first, fifth, three_quarters]
+    seventh, eleventh = arb.pi() / (high_sine * fifth), arb.pi() / (arb.sin_pi_fmpq(fmpq(1, 12)) * first)
+    return factor / three_quarters, [quarter, seventh, eleventh]
 
 
 def _fraction(value: fmpq) -> fmpq:
