@@ -1,0 +1,119 @@
+(** * What an accepted run proves of the mechanism *)
+
+From Coq Require Import Reals Psatz Lra Lia ZArith QArith Qreals List Bool.
+From Coquelicot Require Import Coquelicot.
+From GSpot Require Import StatementCompliant StatementFlight InitialValueProblem CompliantMotion Checker CheckerModels
+  Calculus StatementStep
+  LogarithmicNorm BlockGrowth RunChecker RunArithmetic RunSound RunLiftOff.
+Import ListNotations.
+Open Scope R_scope.
+
+Lemma inject_real z : Q2R (inject_Z z) = IZR z.
+Proof. unfold Q2R, inject_Z. simpl. field. Qed.
+
+Lemma equal_real p q : Qeq_bool p q = true -> Q2R p = Q2R q.
+Proof. intros H. apply Qeq_eqR, Qeq_bool_iff, H. Qed.
+
+(** From the start of the scene at t = 0 there is a first lift-off, within the bracket, and contact before it.
+    Plan: the motion with the linear law of force exists on the whole line; in the units of eps it solves the equations
+    of the checker (HW), so [all_steps_sound] holds for it; up to the lift-off it solves those of the mechanism, whose
+    motion is unique. *)
+Theorem accepted_run r g p b y v z : run_accepted r g = true ->
+  let e := Q2R (eps g) in
+  mechanism_from (Q2R (alpha1 g)) (Q2R (alpha2 g)) (Q2R (alpha1 g * beta g)) e 0 p b y v z ->
+  p 0 = Q2R (p0 g) -> b 0 = Q2R (b0 g) -> y 0 = Q2R (y0 g) -> v 0 = Q2R (v0 g) -> z 0 = Q2R (z0 g) ->
+  exists t1, 0 < t1 /\ Q2R (low g) < t1 < Q2R (high g) /\ (forall t, 0 <= t < t1 -> y t < z t) /\
+    lift_off_at e y v z t1.
+Proof.
+intros H e Hm Ep Eb Ey Ev Ez. unfold run_accepted in H. rewrite !andb_true_iff in H.
+destruct H as (((((((H1 & H2) & H3) & H4) & H5) & H6) & H7) & H8).
+apply Z.ltb_lt in H1, H2, H3, H4. apply negb_true_iff in H5.
+assert (He : 0 < e).
+{ apply Rnot_le_lt. intros Hle. replace 0 with (Q2R 0) in Hle by (unfold Q2R; simpl; field).
+  apply Rle_Qle, Qle_bool_iff in Hle. congruence. }
+unfold same_rates in H6. rewrite !andb_true_iff in H6. destruct H6 as ((((R0 & R1) & R2) & R3) & R4).
+apply Z.ltb_lt in R0. apply equal_real in R1, R2, R3, R4. rewrite ?Q2R_mult, ?inject_real in R1. rewrite ?Q2R_mult,
+  ?inject_real in R2.
+rewrite ?Q2R_mult, ?inject_real in R3. rewrite ?Q2R_mult, ?inject_real in R4.
+fold e in R1, R2, R3.
+unfold same_start in H7. cbv zeta in H7. rewrite !andb_true_iff in H7. destruct H7 as (((S1 & S2) & S3) & S4).
+apply equal_real in S1, S2, S3, S4. rewrite ?Q2R_mult, ?inject_real in S1. rewrite ?Q2R_mult, ?inject_real in S2.
+rewrite ?Q2R_mult, ?inject_real in S3. rewrite ?Q2R_mult, ?inject_real in S4. fold e in S2, S3, S4.
+set (N := IZR (below (its_rates r))) in *. assert (NP : 0 < N) by (apply IZR_lt, R0).
+set (gr := IZR (grain r)) in *. assert (G : 0 < gr) by (apply IZR_lt, H2).
+set (a1 := Q2R (alpha1 g)) in *. set (a2 := Q2R (alpha2 g)) in *. set (a3 := Q2R (alpha1 g * beta g)) in *.
+fold a1 in R1, R3. fold a2 in R2.
+assert (A3 : e * a3 * N = IZR (rate3 (its_rates r))) by (rewrite <- R3; unfold a3, a1; rewrite Q2R_mult; reflexivity).
+destruct (CompliantMotion.motion_exists a1 a2 a3 e He linear_force (linear_lipschitz e He) 0 (p 0) (b 0) (y 0) (v 0)
+  (z 0))
+  as (P & B & Y & V & Z & M & P0 & B0 & Y0 & V0 & Z0).
+set (W := fun i T => match i with of_b => B (e * T) | of_y => Y (e * T) / e ^ 2 | of_v => V (e * T) / e
+  | of_z => Z (e * T) / e ^ 2 end).
+assert (PT : forall T, P (e * T) = p_of r T).
+{ intros T. rewrite (affine a1 P 0 (e * T)). 2: { intros s _. apply (M s). }
+  rewrite P0, Ep. unfold p_of. fold N. rewrite <- R1, <- R4. field. lra. }
+assert (Chain : forall f l T, is_derive f (e * T) l -> is_derive (fun T => f (e * T)) T (e * l)).
+{ intros f l T D. apply (is_derive_comp f (fun T => e * T) T l e D). auto_derive; auto. ring. }
+assert (HW : forall i T,
+  is_derive (W i) T (total coordinates (fun l => equations r (p_of r T) i l * W l T) + forcing r i)).
+{ intros i T. destruct (M (e * T)) as (_ & DB & DY & DV & DZ).
+  unfold linear_force in DB, DV, DZ. rewrite PT in DV. unfold total, coordinates.
+  destruct i; cbn [fold_right equations forcing W]; fold N.
+  - eapply is_derive_val. apply (Chain B _ T DB). unfold W. rewrite <- A3, <- R2. field. lra.
+  - apply (is_derive_ext (fun T => / e ^ 2 * Y (e * T))). { intros t. unfold W. match goal with |- ?l = ?m => change
+    (@eq R l m) end. field. lra. }
+    eapply is_derive_val. apply (is_derive_scal (fun T => Y (e * T)) T (/ e ^ 2)), (Chain Y _ T DY).
+    unfold W. field. lra.
+  - apply (is_derive_ext (fun T => / e * V (e * T))). { intros t. unfold W. match goal with |- ?l = ?m => change (@eq
+    R l m) end. field. lra. }
+    eapply is_derive_val. apply (is_derive_scal (fun T => V (e * T)) T (/ e)), (Chain V _ T DV).
+    unfold W. field. lra.
+  - apply (is_derive_ext (fun T => / e ^ 3 * (fun t => e * Z t) (e * T))). { intros t. unfold W. match goal with |- ?l
+    = ?m => change (@eq R l m) end. field. lra. }
+    eapply is_derive_val.
+    apply (is_derive_scal (fun T => (fun t => e * Z t) (e * T)) T (/ e ^ 3)), (Chain (fun t => e * Z t) _ T DZ).
+    unfold W. field. lra. }
+destruct (all_steps_sound r g H1 H2 H3 H4 R0 He W HW (steps r) 0 no_errors (first_middle r) H8) as
+  (T & T1 & T2 & T3 & T4 & T5).
+{ assert (Zero : forall i, W i (0 / IZR (clock r)) - IZR (first_middle r i) / gr = 0).
+  { intros i. replace (0 / IZR (clock r)) with 0 by (unfold Rdiv; ring). unfold W. rewrite Rmult_0_r.
+    destruct i; [rewrite B0, Eb|rewrite Y0, Ey|rewrite V0, Ev|rewrite Z0, Ez].
+    - assert (Q : Q2R (b0 g) = IZR (first_middle r of_b) / gr) by (rewrite <- S1; field; lra). lra.
+    - replace (Q2R (y0 g)) with (IZR (first_middle r of_y) * (e * e) / gr) by (rewrite <- S2; field; lra). field. lra.
+    - replace (Q2R (v0 g)) with (IZR (first_middle r of_v) * e / gr) by (rewrite <- S3; field; lra). field. lra.
+    - replace (Q2R (z0 g)) with (IZR (first_middle r of_z) * (e * e) / gr) by (rewrite <- S4; field; lra). field. lra. }
+  exists (fun _ => 0). split.
+  - intros i. unfold gr in Zero. rewrite Zero. unfold total, coordinates. cbn [fold_right]. ring.
+  - intros k. unfold no_errors. cbn [radii its_blocks]. replace (IZR (row 0%Z 0%Z 0%Z 0%Z k)) with 0 by (destruct k;
+    reflexivity).
+    split. unfold Rdiv; lra. unfold square, total, coordinates, part. cbn [fold_right].
+    unfold Rdiv. destruct (lies _ k of_b), (lies _ k of_y), (lies _ k of_v), (lies _ k of_z); lra. }
+replace (0 / IZR (clock r)) with 0 in T1, T2 by (unfold Rdiv; ring).
+set (t1 := e * T). assert (Pos : 0 < t1) by (apply Rmult_lt_0_compat; auto).
+assert (Inside : forall t, 0 <= t < t1 -> Y t < Z t).
+{ intros t Ht. assert (Q : W of_y (t / e) < W of_z (t / e)).
+  { apply T2. split. apply Rmult_le_pos. lra. apply Rlt_le, Rinv_0_lt_compat, He.
+    apply Rmult_lt_reg_r with e; auto. replace (t / e * e) with t by (field; lra). unfold t1 in Ht. lra. }
+  unfold W in Q. replace (e * (t / e)) with t in Q by (field; lra).
+  apply Rmult_lt_reg_r with (/ e ^ 2). apply Rinv_0_lt_compat, pow_lt, He. exact Q. }
+assert (End : Y t1 = Z t1).
+{ unfold W in T3. fold t1 in T3. apply Rmult_eq_reg_r with (/ e ^ 2). exact T3.
+  apply Rgt_not_eq, Rinv_0_lt_compat, pow_lt, He. }
+assert (Same : forall t, 0 <= t <= t1 -> p t = P t /\ b t = B t /\ y t = Y t /\ v t = V t /\ z t = Z t).
+{ intros t Ht. assert (Sg : forall s, InitialValueProblem.segment 0 t s -> 0 <= s <= t1).
+  { intros s. unfold InitialValueProblem.segment. rewrite Rmin_left, Rmax_right by lra. lra. }
+  apply (CompliantMotion.motion_unique a1 a2 a3 e He contact_force (contact_lipschitz e He) p b y v z P B Y V Z 0 t).
+  - intros s Hs. apply Hm. apply (Sg s Hs).
+  - intros s Hs. specialize (Sg s Hs). assert (F : contact_force e (Y s) (Z s) = linear_force e (Y s) (Z s)).
+    { unfold contact_force, linear_force. destruct (Rlt_dec (Y s) (Z s)) as [L|L]; auto.
+      destruct (Req_dec s t1) as [->|Ne]; [rewrite End; unfold Rdiv; ring|].
+      exfalso. apply L, Inside. lra. }
+    unfold model_at. rewrite F. apply M.
+  - auto. - auto. - auto. - auto. - auto. }
+exists t1. split; auto. split; [exact T5|]. split.
+- intros t Ht. destruct (Same t ltac:(lra)) as (_ & _ & E1 & _ & E2). rewrite E1, E2. apply Inside, Ht.
+- destruct (Same t1 ltac:(lra)) as (_ & _ & E1 & E3 & E2). split. rewrite E1, E2. exact End.
+  unfold separation_rate. rewrite E3, E2. unfold W in T4. fold t1 in T4. rewrite End in T4.
+  apply Rmult_lt_reg_r with (/ e). apply Rinv_0_lt_compat, He. rewrite Rmult_0_l.
+  replace ((V t1 + Z t1 / e) * / e) with (V t1 / e + Z t1 / e ^ 2) by (field; lra). lra.
+Qed.
