@@ -205,7 +205,7 @@ Fixpoint majorant (M : matrix) (d : vector Z) (K : Z) (u : vector Z) (rest : lis
 Fixpoint final (u : vector Z) (rest : list (vector Z)) : vector Z :=
   match rest with [] => u | v :: rest => final v rest end.
 Fixpoint highest (u : vector Z) (rest : list (vector Z)) : vector Z :=
-  match rest with [] => u | v :: rest => stored (fun j => Z.max (u j) (highest v rest j)) end.
+  match rest with [] => u | v :: rest => let later := highest v rest in stored (fun j => Z.max (u j) (later j)) end.
 Definition reach (w : vector Z) : vector Z := stored (fun i => sum (fun l => Z.abs (S i l) * w (bl l))).
 
 (** The errors at the end of the piece, and bounds of the components of the error on it. *)
