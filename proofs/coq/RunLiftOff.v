@@ -5,7 +5,7 @@
 From Coq Require Import Reals Psatz Lra Lia ZArith QArith Qreals List Bool.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import CompliantMotion Checker CheckerModels Calculus StatementStep LogarithmicNorm BlockGrowth
-  RunChecker RunArithmetic RunSound.
+  RunScene RunChecker RunArithmetic RunSound.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -4,7 +4,7 @@ From Coq Require Import Reals Psatz Lra Lia ZArith QArith Qreals List Bool.
 From Coquelicot Require Import Coquelicot.
 From GSpot Require Import StatementCompliant StatementFlight InitialValueProblem CompliantMotion Checker CheckerModels
   Calculus StatementStep
-  LogarithmicNorm BlockGrowth RunChecker RunArithmetic RunSound RunLiftOff.
+  LogarithmicNorm BlockGrowth RunScene RunChecker RunArithmetic RunSound RunLiftOff.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -13,6 +13,18 @@ Proof. unfold Q2R, inject_Z. simpl. field. Qed.
 
 Lemma equal_real p q : Qeq_bool p q = true -> Q2R p = Q2R q.
 Proof. intros H. apply Qeq_eqR, Qeq_bool_iff, H. Qed.
+
+Lemma not_above_0 q : Qle_bool q 0 = false -> 0 < Q2R q.
+Proof.
+intros H. apply Rnot_le_lt. intros Hle. replace 0 with (Q2R 0) in Hle by (unfold Q2R; simpl; field).
+apply Rle_Qle, Qle_bool_iff in Hle. congruence.
+Qed.
+
+Lemma accepted_eps r g : run_accepted r g = true -> 0 < Q2R (eps g).
+Proof.
+intros H. unfold run_accepted in H. destruct (numbers_fit r g) eqn:P; [|discriminate]. unfold numbers_fit in P.
+rewrite !andb_true_iff in P. apply not_above_0, negb_true_iff, P.
+Qed.
 
 (** From the start of the scene at t = 0 there is a first lift-off, within the bracket, and contact before it.
     Plan: the motion with the linear law of force exists on the whole line; in the units of eps it solves the equations
@@ -25,12 +37,11 @@ Theorem accepted_run r g p b y v z : run_accepted r g = true ->
   exists t1, 0 < t1 /\ Q2R (low g) < t1 < Q2R (high g) /\ (forall t, 0 <= t < t1 -> y t < z t) /\
     lift_off_at e y v z t1.
 Proof.
-intros H e Hm Ep Eb Ey Ev Ez. unfold run_accepted in H. rewrite !andb_true_iff in H.
-destruct H as (((((((H1 & H2) & H3) & H4) & H5) & H6) & H7) & H8).
+intros H e Hm Ep Eb Ey Ev Ez. unfold run_accepted in H.
+destruct (numbers_fit r g) eqn:P; [rename H into H8|discriminate].
+unfold numbers_fit in P. rewrite !andb_true_iff in P. destruct P as ((((((H1 & H2) & H3) & H4) & H5) & H6) & H7).
 apply Z.ltb_lt in H1, H2, H3, H4. apply negb_true_iff in H5.
-assert (He : 0 < e).
-{ apply Rnot_le_lt. intros Hle. replace 0 with (Q2R 0) in Hle by (unfold Q2R; simpl; field).
-  apply Rle_Qle, Qle_bool_iff in Hle. congruence. }
+assert (He : 0 < e) by exact (not_above_0 (eps g) H5).
 unfold same_rates in H6. rewrite !andb_true_iff in H6. destruct H6 as ((((R0 & R1) & R2) & R3) & R4).
 apply Z.ltb_lt in R0. apply equal_real in R1, R2, R3, R4. rewrite ?Q2R_mult, ?inject_real in R1. rewrite ?Q2R_mult,
   ?inject_real in R2.

@@ -1,8 +1,8 @@
 (** * The theorems
 
     Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v],
-    [StatementStep.v], [StatementCertificate.v], [StatementChecker.v] and [StatementForce.v] is proved here under its
-    own name, from the files named for the steps. *)
+    [StatementStep.v], [StatementCertificate.v], [StatementChecker.v], [StatementForce.v] and [StatementRun.v] is
+    proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -17,7 +17,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns DipSound.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep
-  ValidatedStep StatementForce ForceRuns.
+  ValidatedStep StatementForce ForceRuns StatementRun RunRuns.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate
   StatementChecker.
 Import ListNotations.
@@ -837,6 +837,12 @@ Proof. exact ForceRuns.lift_off_5_2_checked. Qed.
 
 Theorem zeros_4_5_checked : StatementForce.zeros_4_5_checked.
 Proof. exact ForceRuns.zeros_4_5_checked. Qed.
+
+Theorem run_checker : StatementRun.run_checker.
+Proof. exact RunRuns.accepted_run_is_true. Qed.
+
+Theorem run_fig_varsim1_checked : StatementRun.run_fig_varsim1_checked.
+Proof. exact RunRuns.run_fig_varsim1_checked. Qed.
 
 Theorem slow_zeros_certificate : StatementCertificate.slow_zeros_certificate.
 Proof. exact CertificateSlow.slow_zeros_certificate. Qed.

@@ -11,6 +11,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+import run_source
+
 HEADER = """(** * {title}
 
     Written by proofs/coq/check_in_coq.py: the text of the file, the certificate with this text, and for each column
@@ -25,9 +27,7 @@ Open Scope Q_scope.
 
 def number(text: str) -> str:
     """A rational as a Coq term."""
-    value = Fraction(text)
-    top = f"({value.numerator})" if value < 0 else value.numerator
-    return f"({top} # {value.denominator})"
+    return run_source.number(Fraction(text))
 
 
 def edge(text: str) -> str:
@@ -174,5 +174,7 @@ def head(title: str, text: str) -> str:
 
 
 def source(name: str, text: str) -> str:
-    """A file of the development that holds this data."""
+    """A file of the development that holds this data; of a run (version 4), what run_source.py writes."""
+    if json.loads(text.partition("\n")[0])["version"] == 4:
+        return run_source.source(name, text)
     return head(f"The certificate {name}.cert", text) + data(name, text)

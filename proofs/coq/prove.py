@@ -56,6 +56,7 @@ CERTIFICATES = {
     "DataForce.v": HERE.parent / "force_5_2.cert",
     "DataLiftOff.v": HERE.parent / "lift_off_5_2.cert",
     "DataSlowZeros.v": HERE.parent / "zeros_4_5.cert",
+    "DataRun.v": HERE.parent / "run_fig_varsim1.cert",
 }
 """The sources that are written from the bytes of a file (certificate_source.py)."""
 STATED_IN = (
@@ -67,9 +68,11 @@ STATED_IN = (
     "StatementCertificate",
     "StatementChecker",
     "StatementForce",
+    "StatementRun",
 )
-"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, certificates, checkers."""
-READ = (*STATED_IN, "CertificateText", "ForceText")
+"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, certificates, checkers of
+these, a checker of runs."""
+READ = (*STATED_IN, "CertificateText", "ForceText", "RunScene")
 """Who wants to know what is proved reads these."""
 BELIEVED = {
     "CheckerCertificate": {"accepts", "counted"},
@@ -79,8 +82,10 @@ BELIEVED = {
     "DataForce": {"force_5_2", "force_5_2_file", "force_5_2_plans"},
     "DataLiftOff": {"lift_off_5_2", "lift_off_5_2_file", "lift_off_5_2_plans"},
     "DataSlowZeros": {"zeros_4_5", "zeros_4_5_file", "zeros_4_5_plans"},
+    "RunChecker": {"run_accepted"},
+    "DataRun": {"run_fig_varsim1", "run_fig_varsim1_scene"},
 }
-"""What a statement may name beside: the checkers whose soundness is stated, and the text of files."""
+"""What a statement may name beside: the checkers whose soundness is stated, and the text or the data of files."""
 STATED = re.compile(r"^[ ]*Definition (\w+) : Prop :=", re.MULTILINE)
 MISSING = """The formal proofs were not run: {what} not found. They need Coq 8.16 and Coquelicot 3. On Debian or Ubuntu:
     apt-get install --no-install-recommends coq libcoq-coquelicot libcoq-mathcomp-ssreflect make

@@ -25,6 +25,7 @@ STATEMENTS = [
         "StatementCertificate",
         "StatementChecker",
         "StatementForce",
+        "StatementRun",
     )
 ]
 """In the order in which each one uses those before it."""

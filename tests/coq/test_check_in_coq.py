@@ -23,6 +23,7 @@ COQ = Path(__file__).resolve().parents[2] / "proofs" / "coq"
 IWC, ZEROS = COQ.parent / "iwc_0_1.cert", COQ / "zeros_1_2.cert"
 FOLDS = COQ.parent / "zeros_1_13.cert"
 FORCE, LIFT_OFF, DIPS = (COQ.parent / f"{name}.cert" for name in ("force_5_2", "lift_off_5_2", "zeros_4_5"))
+RUN = COQ.parent / "run_fig_varsim1.cert"
 DATA = {
     IWC: "CertificateIWC.v",
     ZEROS: "CertificateZeros.v",
@@ -44,7 +45,7 @@ def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     return module
 
 
-@pytest.mark.parametrize(("file", "data"), DATA.items(), ids=DATA.values())
+@pytest.mark.parametrize(("file", "data"), [*DATA.items(), (RUN, "DataRun.v")], ids=[*DATA.values(), "DataRun.v"])
 def test_the_data_of_the_development_are_those_of_the_files(script: ModuleType, file: Path, data: str) -> None:
     written = script.source(file.stem, file.read_text(encoding="utf-8"))
     assert (COQ / data).read_text(encoding="utf-8") == written
