@@ -160,9 +160,8 @@ def _followed(
     """Until the force is 0, or is what was to be reached."""
     _, first, second, third = map(float, numbers)
     mean = second / (third - first)
-    assert found.force is not None
     assert found.entered is not None
-    wanted = float(found.force.lower()) * (1 - 1e-9) if found.side == "impact" else 1e9 * mean
+    wanted = float(found.ends[0].force.lower()) * (1 - 1e-9) if found.side == "impact" else 1e9 * mean
     solution = _run(
         numbers, small, span, state, lambda _, state: (state[4] - state[2]) * (wanted - state[4] + state[2])
     )
