@@ -5,6 +5,7 @@ is proved the spot is followed from the start by the reference too: the pieces m
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from random import Random
@@ -173,7 +174,7 @@ def judged(found: Sweep, spots: Find, random: Random) -> Answer:
     """The cover by exact areas; then the reference's spots at some places."""
     boxes = [(tuple(map(to_fraction, piece.lower)), tuple(map(to_fraction, piece.upper))) for piece in found.pieces]
     whole = [(to_fraction(axis.lower), to_fraction(axis.upper)) for axis in found.axes]
-    if trouble := _cover(boxes, whole):
+    if trouble := untrue_cover(boxes, whole):
         return wrong(f"{trouble}\n{found}")
     compared = 0
     for place in _places(boxes, whole, random):
@@ -199,17 +200,17 @@ def judged(found: Sweep, spots: Find, random: Random) -> Answer:
     return AGREED if proved else undecided(f"holds: {found.verdict.reason}")
 
 
-def _cover(boxes: Sequence[tuple[Place, Place]], whole: Sequence[tuple[Fraction, Fraction]]) -> str:
+def untrue_cover(boxes: Sequence[tuple[Place, Place]], whole: Sequence[tuple[Fraction, Fraction]]) -> str:
     """Boxes inside, with no common interior, whose areas make up the whole."""
     area = Fraction(0)
     for low, high in boxes:
         if any(not a <= x < y <= b for x, y, (a, b) in zip(low, high, whole, strict=True)):
             return f"the piece {_text(low)}..{_text(high)} is empty or outside"
-        area += (high[0] - low[0]) * (high[1] - low[1])
+        area += math.prod(b - a for a, b in zip(low, high, strict=True))
     for (low, high), (other, end) in itertools.combinations(boxes, 2):
         if all(max(a, b) < min(c, d) for a, b, c, d in zip(low, other, high, end, strict=True)):
             return f"the pieces at {_text(low)} and {_text(other)} overlap"
-    all_of_it = (whole[0][1] - whole[0][0]) * (whole[1][1] - whole[1][0])
+    all_of_it = math.prod((high - low for low, high in whole), start=Fraction(1))
     return "" if area == all_of_it else f"the pieces leave {all_of_it - area} out"
 
 

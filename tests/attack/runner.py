@@ -34,6 +34,7 @@ KINDS = (
     "sweeps",
     "maps",
     "approaches",
+    "fates",
     "friction",
     "side",
     "zero_maps",

@@ -18,6 +18,7 @@ from attack import (
     certificates,
     crossings,
     expansions,
+    fates,
     floats,
     friction,
     iwc,
@@ -42,6 +43,7 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.contact.iwc import CompliantIwc
 from gspot_verified.integrator.field.event import Crossing, Watch
+from gspot_verified.mechanisms.fates.box_fate import Fate
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Verdict
 from gspot_verified.paper.cache import Cache
@@ -62,6 +64,7 @@ SLICE = {
     "sweeps": (1, 4),
     "maps": (1, 2, 4, 6, 8),
     "approaches": (1, 2, 3),
+    "fates": (2, 3, 5, 7, 9, 18),
     "friction": range(4),
     "side": range(2),
     "zero_maps": (4, 7, 11),
@@ -206,6 +209,13 @@ def another_end(found: Any) -> Any:
     return replace(found, end=found.end and ("stick" if found.end == "lift-off" else "lift-off"))
 
 
+def with_other_fates(found: Any) -> Any:
+    """Each end of slip is another one, each sign of C_1 the other."""
+    pairs = ((Fate.LIFT_OFF, Fate.STOPS), (Fate.BELOW, Fate.ABOVE), (Fate.OPENS, Fate.PAINLEVE))
+    other = {one: two for pair in pairs for one, two in (pair, pair[::-1])}
+    return replace(found, pieces=tuple(replace(p, fate=other.get(p.fate, p.fate)) for p in found.pieces))
+
+
 def without_constants(found: Any) -> Any:
     nothing = [replace(one, constants=dict.fromkeys(one.constants, arb(0))) for one in found.stretches]
     return replace(found, stretches=tuple(nothing))
@@ -256,6 +266,7 @@ LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], Iterable[int]]] = {
     "costs": (lambda patch: patch.setattr("gspot_verified.report.parts.cost_page.escape", str), range(40)),
     "sweeps": (lying(sweeps, "sweep", in_another_case), range(8)),
     "approaches": (lying(approaches, "approach", another_end), range(8)),
+    "fates": (lying(fates, "fates", with_other_fates), (9, 3)),
     "friction": (
         lying(friction, "critical_friction", lambda f: replace(f, value=f.value and f.value * 1.001)), range(6),
     ),
@@ -292,6 +303,7 @@ def test_a_lie_is_noticed(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
 MORE_LIES: list[tuple[str, Callable[[pytest.MonkeyPatch], None], Iterable[int]]] = [
     ("maps", lying(maps, "sweep", with_a_hole), range(4)),
     ("maps", lying(maps, "sweep", turned), range(3, 5)),
+    ("fates", lying(fates, "fates", with_a_hole), (9,)),
     ("journals", believing_tubes, (12,)),
     ("merged", lying(merged, "sign_on_ranges", proved), (14,)),
     ("reports", lambda patch: patch.setattr("gspot_verified.report.site.typeset", lambda text: text), range(4)),
