@@ -12,7 +12,6 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-import sys
 from collections.abc import Iterable
 from itertools import groupby
 from pathlib import Path
@@ -188,12 +187,15 @@ def _sentence_end(document: Document, line: int) -> int:
 
 
 def text_of(data: dict[str, Any]) -> str:
-    """The data file's text."""
-    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    """The data file's text: a number, a place, a citation stands in one line."""
+    parts = [f" {json.dumps(name)}: {_lines_of(part)}" for name, part in data.items()]
+    return "{\n" + ",\n".join(parts) + "\n}\n"
 
 
-if __name__ == "__main__":
-    from gspot_verified.paper.verify import verify_paper
+def _lines_of(part: Any) -> str:
+    def line(data: Any) -> str:
+        return json.dumps(data, ensure_ascii=False)
 
-    _paper = Path(sys.argv[1]).read_text(encoding="utf-8")
-    DATA.write_text(text_of(source_data(_paper, [entry.label for entry in verify_paper()])), encoding="utf-8")
+    if isinstance(part, dict):
+        return "{\n" + ",\n".join(f"  {line(key)}: {line(each)}" for key, each in part.items()) + "\n }"
+    return "[\n" + ",\n".join(f"  {line(each)}" for each in part) + "\n ]" if isinstance(part, list) else line(part)

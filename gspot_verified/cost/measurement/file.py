@@ -56,13 +56,23 @@ _KEY = re.compile(r"[a-z][a-z-]{0,40}")
 _NO_TEXT = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 _FAR = 1e15  # of a place or a number of seconds, and the inverse of the least: a limit against hostile input
 _LARGEST = 2**63  # of a number of bytes or repeats: a limit against hostile input
+_WIDTH = 160  # of a line, as a rule
 _DATE = re.compile(r"\d{4}-\d{2}-\d{2}")
 
 
 def written(measurement: Measurement) -> str:
-    """The text of the file."""
-    data = {**measurement.to_json(), "schema": SCHEMA}
-    return json.dumps(data, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n"
+    """The text of the file: a point stands in one line."""
+    return _laid_out({**measurement.to_json(), "schema": SCHEMA}) + "\n"
+
+
+def _laid_out(data: Any, front: str = "\n") -> str:
+    line = json.dumps(data, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    if len(front) + len(line) <= _WIDTH or not data or not isinstance(data, list | dict):
+        return line
+    pairs = isinstance(data, dict)
+    rows = [(f"{json.dumps(key)}: ", data[key]) for key in sorted(data)] if pairs else [("", each) for each in data]
+    inner = ",".join(f"{front} {key}{_laid_out(each, front + ' ')}" for key, each in rows)
+    return f"{{{inner}{front}}}" if pairs else f"[{inner}{front}]"
 
 
 def save(measurement: Measurement, path: Path) -> None:

@@ -16,7 +16,7 @@ from gspot_verified.paper.checks.entry import Entry
 
 ROOT = Path(__file__).resolve().parents[3]
 PAPER = ROOT.parent / "shared" / "paper.tex"
-AGAIN = "write the data again: PYTHONPATH=.:tests python -m ledger.paper_citations ../shared/paper.tex"
+AGAIN = "write the data again: PYTHONPATH=.:tests python -m paper.paper_citations ../shared/paper.tex"
 needs_the_paper = pytest.mark.skipif(not PAPER.is_file(), reason="the paper's source is not beside the repository")
 
 SOURCE = r"""
