@@ -23,7 +23,7 @@ _STATUS = Path("/proc/self/status")
 
 def perform(request: dict[str, Any]) -> dict[str, int]:
     """Do the call, and say how far memory grew."""
-    from gspot_verified.cost.contents import contestants_of
+    from gspot_verified.cost.run import contestants_of
 
     for library in _LIBRARIES:
         importlib.import_module(library)

@@ -1,4 +1,4 @@
-"""The run behind ``gspot-verified cost``: every part of the chapter, and what it was measured on."""
+"""The run behind ``gspot-verified cost``: every part of the chapter, in its order, and what it was measured on."""
 
 from __future__ import annotations
 
@@ -15,13 +15,38 @@ from pathlib import Path
 
 import flint
 
-from gspot_verified.cost.contents import blueprints
-from gspot_verified.cost.measurement.contest import FULL, QUICK
+from gspot_verified.cost.measurement.contest import FULL, QUICK, Blueprint, TimedRoute
 from gspot_verified.cost.measurement.file import SCHEMA, KeptParts
 from gspot_verified.cost.measurement.measurement import FILES, Measurement, Part, files_key
+from gspot_verified.cost.parts import scene_runs
 from gspot_verified.cost.parts.cheap_answers import answers
+from gspot_verified.cost.parts.checked_proofs import CHECKER, FORMAL
+from gspot_verified.cost.parts.expansion_orders import EXPANSIONS
+from gspot_verified.cost.parts.sign_ranges import SIGNS
+from gspot_verified.cost.parts.slow_solution_digits import FINITE_EPSILON
+from gspot_verified.cost.parts.theta_digits import THETA
+from gspot_verified.cost.parts.theta_routes import ROUTES
+from gspot_verified.cost.parts.zero_parts import ATLAS, BRACKETS
 from gspot_verified.cost.times.measure import machine_load
 from gspot_verified.numbers.counted import done_of
+
+
+def blueprints(full: bool) -> tuple[Blueprint, ...]:
+    """The parts, for the small or the full size."""
+    scenes = scene_runs.blueprint(full)
+    return (THETA, ROUTES, SIGNS, ATLAS, BRACKETS, EXPANSIONS, FINITE_EPSILON, scenes, CHECKER, FORMAL)
+
+
+def contestants_of(key: str) -> tuple[TimedRoute, ...]:
+    """The contestants of one part, with those of the full size.
+
+    :raises ValueError: there is no such part.
+    """
+    matches = [blueprint for blueprint in blueprints(True) if blueprint.key == key]
+    if not matches:
+        raise ValueError(f"part: expected one of {', '.join(b.key for b in blueprints(True))}, got {key!r}")
+    return matches[0].contestants()
+
 
 Progress = Callable[[str], None]
 _PACKAGES = ("gspot-verified", "python-flint", "mpmath", "numpy", "scipy", "sympy", "heyoka")

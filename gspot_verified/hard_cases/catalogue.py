@@ -1,18 +1,75 @@
-"""The catalogue: every family at every level, and how work and time grow."""
+"""The catalogue: every family (``families.toml``) at every level, and how work and time grow."""
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
 from typing import ClassVar
 
 from gspot_verified.cost.times.growth import fitted_exponent
 from gspot_verified.cost.times.rows import seconds_text
-from gspot_verified.hard_cases.family import Family, families
-from gspot_verified.hard_cases.hard_case import HardCase
+from gspot_verified.hard_cases import (
+    compliant_cases,
+    expansion_cases,
+    fold_cases,
+    mechanism_cases,
+    sign_cases,
+    theta_cases,
+)
+from gspot_verified.hard_cases.hard_case import Case, HardCase
 from gspot_verified.numbers.counted import done_of
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written, under
+
+CASES: dict[str, Case] = {
+    **theta_cases.CASES,
+    **sign_cases.CASES,
+    **expansion_cases.CASES,
+    **compliant_cases.CASES,
+    **fold_cases.CASES,
+    **mechanism_cases.CASES,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Family(Written):
+    """Questions that get harder with a number: ``variable`` says what it is, ``work`` what is counted.
+
+    ``part`` is the package that answers. ``formula`` is the usual formula (LaTeX), ``why`` says what is hard in it and
+    ``instead`` what the library does.
+    """
+
+    written: ClassVar[str] = "name part title variable formula why instead work"
+
+    name: str
+    part: str
+    title: str
+    variable: str
+    formula: str
+    why: str
+    instead: str
+    work: str
+    levels: tuple[int, ...]
+
+    @property
+    def case(self) -> Case:
+        """The function that asks the question."""
+        return CASES[self.name]
+
+
+@lru_cache(maxsize=1)
+def families() -> tuple[Family, ...]:
+    """Every family, in the order of the catalogue.
+
+    >>> {"side", "canard", "spots-meet"} <= {family.name for family in families()}
+    True
+    """
+    text = resources.files("gspot_verified.hard_cases").joinpath("families.toml").read_text(encoding="utf-8")
+    return tuple(Family(**{**row, "levels": tuple(row["levels"])}) for row in tomllib.loads(text)["families"])
+
 
 _QUESTION = (("question", "condition", "bits lost", "work", "time"), (59, 9, 9, 5, 8))
 _ANSWERS = (("", "double precision", "certified"), (5, 24, 0))

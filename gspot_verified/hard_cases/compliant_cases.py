@@ -8,8 +8,16 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, compliant_state
 from gspot_verified.compliant.side.side_rule import side_rule
-from gspot_verified.hard_cases.double import double_text
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
+from gspot_verified.hard_cases.hard_case import (
+    Case,
+    HardCase,
+    bits_lost,
+    double_text,
+    log10,
+    near,
+    nearest_double,
+    timed,
+)
 from gspot_verified.numbers.balls import ball_text, sign_of, working_bits
 from gspot_verified.scenes.certified.certified_integration import integrated_run
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF

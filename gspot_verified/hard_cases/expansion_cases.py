@@ -16,8 +16,16 @@ from flint import arb, fmpq
 from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.trajectory import Trajectory, expand_in_balls, terms_of
 from gspot_verified.expansion.true_solutions.bound import UniformBound, uniform_bound
-from gspot_verified.hard_cases.double import double_text
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
+from gspot_verified.hard_cases.hard_case import (
+    Case,
+    HardCase,
+    bits_lost,
+    double_text,
+    log10,
+    near,
+    nearest_double,
+    timed,
+)
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.shipped import shipped_system

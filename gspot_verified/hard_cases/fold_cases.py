@@ -11,8 +11,17 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.zeros.fold_point import FoldPoint, fold_point
 from gspot_verified.compliant.zeros.zero_count import SlowZeros, slow_zeros
-from gspot_verified.hard_cases.double import double_text, real_roots
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
+from gspot_verified.hard_cases.hard_case import (
+    Case,
+    HardCase,
+    bits_lost,
+    double_text,
+    log10,
+    near,
+    nearest_double,
+    real_roots,
+    timed,
+)
 from gspot_verified.numbers.balls import ball_text, working_bits
 
 FOLD_EPSILON = fmpq(1)  # of the curve of folds that starts at beta = 6, epsilon = 0

@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from flint import arb, fmpq
 
-from gspot_verified.hard_cases.double import double_text, real_roots
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
+from gspot_verified.hard_cases.hard_case import (
+    Case,
+    HardCase,
+    bits_lost,
+    double_text,
+    log10,
+    near,
+    nearest_double,
+    real_roots,
+    timed,
+)
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
 from gspot_verified.mechanisms.spots.classify import classify

@@ -11,8 +11,18 @@ from flint import arb, fmpq
 from gspot_verified.certificates.checker import check
 from gspot_verified.certificates.text import certificate_text
 from gspot_verified.cost.times.baseline import flint_attempt
-from gspot_verified.hard_cases.double import double_text, sign_changes, theta_double
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
+from gspot_verified.hard_cases.hard_case import (
+    Case,
+    HardCase,
+    bits_lost,
+    double_text,
+    log10,
+    near,
+    nearest_double,
+    sign_changes,
+    theta_double,
+    timed,
+)
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.sign import sign as sign_on_ranges

@@ -8,8 +8,17 @@ from functools import lru_cache
 from flint import arb, fmpq
 
 from gspot_verified.cost.times.baseline import flint_attempt
-from gspot_verified.hard_cases.double import double_text, theta_double
-from gspot_verified.hard_cases.hard_case import Case, HardCase, bits_lost, log10, near, nearest_double, timed
+from gspot_verified.hard_cases.hard_case import (
+    Case,
+    HardCase,
+    bits_lost,
+    double_text,
+    log10,
+    near,
+    nearest_double,
+    theta_double,
+    timed,
+)
 from gspot_verified.numbers.balls import ball_text, working_bits
 from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.theta_function.value.evaluate import evaluate

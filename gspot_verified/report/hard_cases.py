@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from gspot_verified.hard_cases.catalogue import measured
-from gspot_verified.hard_cases.family import Family, families
+from gspot_verified.hard_cases.catalogue import Family, families, measured
 
 NONE: dict[str, Any] = {"families": [], "summary": {"rows": 0, "decided": 0, "double_right": 0, "double_wrong": 0}}
 """A report without them."""

@@ -8,13 +8,12 @@ import pytest
 from flint import fmpq
 
 from gspot_verified.compliant.slow.slow_solution import slow_value
-from gspot_verified.cost.contents import blueprints
 from gspot_verified.cost.measurement import contest
 from gspot_verified.cost.measurement.contest import QUICK, TimedRoute
 from gspot_verified.cost.measurement.measurement import FILES, Part, Route
 from gspot_verified.cost.parts import slow_solution_digits
 from gspot_verified.cost.parts.theta_digits import ode_value, ode_zeros, right_decimals
-from gspot_verified.cost.run import machine, versions
+from gspot_verified.cost.run import blueprints, machine, versions
 from gspot_verified.cost.times.baseline import right_digits
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.signs.zeros.brackets import zeros_at

@@ -11,12 +11,21 @@ from flint import arb, fmpq
 
 from gspot_verified import theta
 from gspot_verified.cli import main
-from gspot_verified.hard_cases.catalogue import Catalogue, Measured, measure_hard_cases
-from gspot_verified.hard_cases.double import double_text, real_roots, sign_changes, theta_double
+from gspot_verified.hard_cases.catalogue import CASES, Catalogue, Measured, families, measure_hard_cases
 from gspot_verified.hard_cases.expansion_cases import DoublePolynomial, Doubles
-from gspot_verified.hard_cases.family import CASES, families
 from gspot_verified.hard_cases.fold_cases import force_in_doubles
-from gspot_verified.hard_cases.hard_case import HardCase, agrees, bits_lost, log10, near, nearest_double
+from gspot_verified.hard_cases.hard_case import (
+    HardCase,
+    agrees,
+    bits_lost,
+    double_text,
+    log10,
+    near,
+    nearest_double,
+    real_roots,
+    sign_changes,
+    theta_double,
+)
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.report.parts.latex import latex_formula
 

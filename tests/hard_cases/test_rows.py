@@ -12,7 +12,7 @@ from witnesses.theta import ends
 
 from gspot_verified.expansion.trajectory import expand_in_balls
 from gspot_verified.hard_cases import compliant_cases, expansion_cases
-from gspot_verified.hard_cases.family import families
+from gspot_verified.hard_cases.catalogue import families
 from gspot_verified.hard_cases.hard_case import RIGHT_DIGITS, HardCase, near
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.shipped import shipped_system

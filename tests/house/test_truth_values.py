@@ -36,7 +36,7 @@ PLAIN = {
     "paper.checks.consequences.Consequence": "a reading of the paper, in words",
     "paper.dependencies.Dependencies": "names",
     "report.pictures.canvas.Picture": "a drawing",
-    "hard_cases.family.Family": "words, and the levels of a question",
+    "hard_cases.catalogue.Family": "words, and the levels of a question",
     "cost.benchmarks.sign.SignCost": "times that were measured",
     "cost.benchmarks.expand.Size": "times that were measured",
     "expansion.time_series.TimeSeries": "coefficients; what is claimed of them is in the trajectory's accuracy",

@@ -4,7 +4,7 @@ import copy
 
 import pytest
 
-from gspot_verified.hard_cases.family import families
+from gspot_verified.hard_cases.catalogue import families
 from gspot_verified.report.hard_cases import NONE, check_hard_cases, hard_cases, measurements
 
 

@@ -15,12 +15,14 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from gspot_verified.cost.measurement.findings import certificate_prices, crossovers, growth
 from gspot_verified.cost.measurement.measurement import CERTIFIED, CheapAnswer, Measurement, Part, Route
 from gspot_verified.cost.measurement.text import (
     bytes_text,
+    certificate_prices,
     crossover_text,
+    crossovers,
     first_and_last,
+    growth,
     growth_text,
     limit_text,
     panel_words,

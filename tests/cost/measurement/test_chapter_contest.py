@@ -12,10 +12,10 @@ from itertools import count
 import pytest
 
 from gspot_verified.cost import alone
-from gspot_verified.cost.contents import blueprints, contestants_of
 from gspot_verified.cost.measurement import contest
 from gspot_verified.cost.measurement.contest import QUICK, TimedRoute, compete, memory_alone, time_shares
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND
+from gspot_verified.cost.run import blueprints, contestants_of
 from gspot_verified.theta_function import theta as package_theta
 
 EFFORT = replace(QUICK, seconds=0.0)
@@ -131,10 +131,10 @@ def test_memory_of_a_call_in_a_process_of_its_own() -> None:
 
 
 HOLDING = """
-from gspot_verified.cost import alone, contents
+from gspot_verified.cost import alone, run
 from gspot_verified.cost.measurement.contest import TimedRoute
 route = TimedRoute("one", "certified", (1,), lambda _: lambda: b"x" * (alone.peak_bytes() + 2**26))
-contents.contestants_of = lambda _: [route]
+run.contestants_of = lambda _: [route]
 print(alone.perform({"part": "", "panel": "", "route": "one", "position": 0})["grown"] >= 2**26)
 """
 

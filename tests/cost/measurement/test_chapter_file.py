@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 
 from gspot_verified.cli.app import schema_name
-from gspot_verified.cost.contents import blueprints
 from gspot_verified.cost.measurement.file import SCHEMA, load, parsed, recorded, save, written
 from gspot_verified.cost.measurement.measurement import Measurement
+from gspot_verified.cost.run import blueprints
 
 
 def test_round_trip(made_up: Measurement, tmp_path: Path) -> None:

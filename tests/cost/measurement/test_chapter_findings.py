@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from gspot_verified.cost.measurement.findings import Crossover, certificate_prices, crossovers, growth, time_at
 from gspot_verified.cost.measurement.measurement import CERTIFIED, NO_BOUND, Measurement, Part, Point, Route
-from gspot_verified.cost.measurement.text import measurement_text
+from gspot_verified.cost.measurement.text import (
+    Crossover,
+    certificate_prices,
+    crossovers,
+    growth,
+    measurement_text,
+    time_at,
+)
 
 
 def route(name: str, *pairs: tuple[float, float], kind: str = CERTIFIED, panel: str = "") -> Route:
