@@ -42,7 +42,7 @@ def _upwards(follow: Callable[[fmpq, fmpq], T | str], first: T, delta: fmpq, top
     for factor in _FACTORS:
         while delta < top:
             count = (_FINENESS / (delta * factor)).floor()
-            larger = fmpq(_FINENESS, count) if count and top * count > _FINENESS else top
+            larger = fmpq(_FINENESS, count) if top * count > _FINENESS else top
             more = follow(delta, larger)
             if isinstance(more, str):
                 failed = more

@@ -120,7 +120,7 @@ class DeviationEquations:
         total = arb(0)
         for term in reversed(self._terms[name][first:]):
             total = total * self.small + term(s)
-        return total * self.small**first if first else total
+        return total * self.small**first
 
     def coupling(self, s: arb, deviations: Sequence[arb]) -> Coupling:
         """The coefficients for |e_i| <= |deviations_i| (those of xi and p matter)."""
