@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 import mpmath
 import pytest
-from flint import arb, fmpq
+from flint import arb, arb_poly, fmpq
+from samples.strategies import ends
 from witnesses.contact import moved
 
 from gspot_verified.compliant.model.flight import ContactState
-from gspot_verified.compliant.motion.later_contact import LaterContact, TouchDown, later_contact
+from gspot_verified.compliant.motion.contact_series import SeriesCell
+from gspot_verified.compliant.motion.later_contact import LaterContact, TouchDown, _Course, later_contact
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Reason
 
 BETA, SMALL, P, AT_ONCE = fmpq(5, 2), fmpq(1, 100), fmpq(-1, 8), fmpq(0)
@@ -101,3 +106,26 @@ def test_a_force_that_may_fall_at_once_leaves_it_open() -> None:
 
 def test_work_that_ends_leaves_it_open() -> None:
     assert followed(LOST, budget=1) is Reason.BUDGET
+
+
+def test_the_sum_of_four_motions_has_the_sizes_of_its_balls_in_its_rests() -> None:
+    """Each rest times |x_j|, whatever the sign of x_j, and all of them added."""
+    hats = [arb(-2, "0.5"), arb(3), arb(5), arb(-7)]
+    shown = less(0, 1)
+    assert shown is not None
+    course = _Course(LOST, P, MEAN, hats, shown, 64)
+    parts = [
+        SeriesCell(
+            fmpq(5), fmpq(2), tuple(arb_poly([0] * k + [10**j]) for k in range(4)), tuple(arb(10**j) for _ in range(4))
+        )
+        for j in range(4)
+    ]
+    with working_bits(64):
+        found = course._sum(parts)
+    assert (found.first, found.width) == (5, 2)
+    for k, (poly, rest) in enumerate(zip(found.variables, found.rests, strict=True)):
+        assert poly.degree() == k
+        lower, upper = ends(poly[k])
+        assert abs(lower + 6472 + Fraction(1, 2)) + abs(upper + 6472 - Fraction(1, 2)) < Fraction(1, 2**20)
+        assert abs(ends(rest)[1] - (7532 + Fraction(1, 2))) < Fraction(1, 2**20)
+        assert ends(rest)[0] >= 7531

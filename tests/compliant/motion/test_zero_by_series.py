@@ -22,7 +22,15 @@ from gspot_verified.compliant.motion import first_zero as first_zero_module
 from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.compliant.motion.contact_series import SeriesCell, series_cells
 from gspot_verified.compliant.motion.first_zero import contact_lasts, first_zero
-from gspot_verified.compliant.motion.zero_by_series import Piece, _range, positive_by_series, zero_by_series
+from gspot_verified.compliant.motion.zero_by_series import (
+    Piece,
+    Shown,
+    _range,
+    bracket,
+    not_positive,
+    positive_by_series,
+    zero_by_series,
+)
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -254,3 +262,48 @@ def test_the_bracket_is_as_wide_as_asked(width: fmpq) -> None:
     found = zero_by_series(deviation(model, state), model.mean_force, width, 128)
     assert found is not None
     assert width / 2 < found.upper - found.lower <= width
+
+
+# The searches on cells made by hand: lambda = Z and its slope are given apart (Y = 0, V = -slope - 2 Z)
+
+NEAR = fmpq(1, 2**20)
+
+
+def cell_of(force: list[fmpq | int], slope: fmpq, first: int = 0) -> SeriesCell:
+    """One cell of width 1; the force by its coefficients, a constant slope."""
+    Z = arb_poly([arb(value) for value in force])
+    return SeriesCell(fmpq(first), fmpq(1), (arb_poly([]), -2 * Z - arb(slope), arb_poly([]), Z), (arb(0),) * 4)
+
+
+def searched(cells: list[SeriesCell], rising: bool = False) -> tuple[Piece | None, Shown]:
+    shown = Shown()
+    return not_positive(cells, fmpq(0), 64, shown, rising=rising), shown
+
+
+def test_a_force_that_rises_from_0_is_positive_on_the_first_piece_only() -> None:
+    found, shown = searched([cell_of([0, 1], NEAR)], rising=True)
+    assert (found, shown.pieces) == (None, [(fmpq(0), fmpq(1))])
+    for rising, slope, first in ((False, NEAR, 0), (True, fmpq(0), 0), (True, NEAR, 1)):
+        found, shown = searched([cell_of([0, 1], slope, first)], rising)
+        assert found is not None
+        assert (found.left, found.right, shown.pieces) == (0, fmpq(1, 2**24), [])
+
+
+def test_a_force_that_only_reaches_0_is_cut_to_the_end() -> None:
+    """A piece is a place of a zero where the force falls and is certainly negative at its right end."""
+    found, _ = searched([cell_of([1, -2], fmpq(-2))])
+    assert found is not None
+    assert (found.left, found.right) == (0, 1)
+    found, shown = searched([cell_of([1, -1], fmpq(-1))])
+    assert found is not None
+    assert (found.right, found.right - found.left) == (1, fmpq(1, 2**24))
+    assert shown.pieces[0] == (0, fmpq(1, 2))
+
+
+@pytest.mark.parametrize(("slope", "good"), [(-NEAR, True), (fmpq(0), False), (NEAR, False), (fmpq(1, 2), False)])
+def test_a_bracket_asks_that_the_force_falls_on_all_of_its_piece(slope: fmpq, good: bool) -> None:
+    piece = Piece(cell_of([fmpq(1, 3), -1], slope), fmpq(0), fmpq(0), fmpq(1))
+    found = bracket(piece, NEAR, 64, Shown())
+    assert (found is not None) is good
+    if found is not None:
+        assert found.lower < fmpq(1, 3) < found.upper <= found.lower + NEAR

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from flint import arb, fmpq
+from samples.strategies import ends as exact_ends
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.side.side_rule import side_rule
@@ -18,7 +20,7 @@ from gspot_verified.expansion.from_state.passage import ModelStart, tube_from
 from gspot_verified.expansion.from_state.slow_series import Contact
 from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.expansion.true_solutions.delta_ranges import smallest
-from gspot_verified.expansion.true_solutions.side_end import SideEnd
+from gspot_verified.expansion.true_solutions.side_end import SideEnd, latest_at
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
@@ -240,6 +242,9 @@ def test_the_time_is_rounded_upward() -> None:
     with working_bits(128):
         assert 0 <= wide.latest("1e-3") - narrow.latest("1e-3") < arb("1e-8")
         assert narrow.latest("1e-3") < fabricated(ratio=arb("18.01")).latest("1e-3")
+        scaled = latest_at(narrow.ends, fmpq(1, 1000), 2 * (narrow.start.beta - 1))
+    (given, _), (wanted, _) = exact_ends(narrow.latest("1e-3")), exact_ends(scaled)
+    assert 0 <= 100 * given - wanted < Fraction(1, 2**100)  # epsilon^(2/3) = 1/100
 
 
 def test_what_is_printed() -> None:

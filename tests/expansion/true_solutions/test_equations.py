@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from flint import arb, arb_mat, fmpq
+from flint import arb, arb_mat, arb_poly, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.strategies import ends, to_fmpq, to_fraction
@@ -306,3 +306,26 @@ def test_what_is_left_out_is_missed(monkeypatch: pytest.MonkeyPatch) -> None:
     with monkeypatch.context() as patch:
         patch.setattr(DeviationEquations, "coupling", without_coupling)
         assert "p" in misses(followed(STRONG, fmpq(1, 90), PUSHED, 0), STRONG, fmpq(1, 90), PUSH)
+
+
+@pytest.mark.parametrize("step", [fmpq(1, 4), fmpq(3)])
+def test_what_is_linear_in_s_has_its_slope(step: fmpq) -> None:
+    """A_0 by differences, with alpha_1 = -3: all of the motion rests on its derivative."""
+    with working_bits(128):
+        system = extended_example(chi=1, alpha=(-3, -1, "-9/2"))
+        equations = DeviationEquations(expand_system(system, 4), fmpq(1, 8), fmpq(1, 16))
+        change = (equations.limit(1 + arb(step)) - equations.limit(arb(1))) / arb(step)
+        slope = equations.limit_slope()
+        for found, wanted in zip(change.entries(), slope.entries(), strict=True):
+            assert found.overlaps(wanted)
+            assert (found - wanted).abs_upper() < arb(2) ** -100
+        assert slope[9, 8] == arb(fmpq(3, 2))  # -kappa alpha_1
+
+
+def test_every_term_of_the_force_but_the_mean_turns_p() -> None:
+    """Entry (v, p) of A - A_0 is lambda_N minus the mean force, its first order included (0 in the examples)."""
+    with working_bits(128):
+        equations = DeviationEquations(trajectory(), fmpq(1, 8))
+        equations._terms["lambda_n"] = [arb_poly([c]) for c in (1, 16, 64, 0, 0, 0, 0)]
+        found = equations.coupling(arb(1), [arb(0)] * 10).matrix[9, 6]
+    assert (ends(found)[0] <= 0, contains(found, Fraction(3)), ends(found)[1] < 3 + Fraction(1, 2**20)) == (True,) * 3

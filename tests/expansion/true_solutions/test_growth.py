@@ -24,18 +24,23 @@ from gspot_verified.expansion.true_solutions.cone_choice import cones
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.growth import DeviationCone, EntryDeviation, entry_of, grows
 from gspot_verified.expansion.true_solutions.side import UniformSide, uniform_side
+from gspot_verified.expansion.true_solutions.side_end import SideEnd
 from gspot_verified.expansion.true_solutions.slow_deviation import slow_deviation
 from gspot_verified.expansion.true_solutions.track import Track, track
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.numbers.balls import ball, working_bits
-from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.numbers.evidence import less
+from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import IMPACT
 from gspot_verified.scenes.scene.scene import Scene
 from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.testing import extended_example
+
+SHOWN = less(0, 1)
+assert SHOWN is not None
 
 
 def extended(beta: str) -> Trajectory:
@@ -142,6 +147,17 @@ def test_smaller_epsilon_takes_longer() -> None:
     assert ends(found.latest("1/1000"))[0] > ends(found.latest("1/50"))[1]
     with pytest.raises(ValueError, match="delta must lie in"):
         found.latest("1/49")
+
+
+def test_the_time_at_a_delta_is_that_of_the_page() -> None:
+    """beta = 3/2, so mu = 1: s = 2 + log(3/delta)/5."""
+    ends_of = (SideEnd(fmpq(0), fmpq(1, 4), -1, fmpq(2), arb(5), arb(3), arb(0), SHOWN),)
+    undecided = Verdict.undecided("words", Reason.BUDGET, "why")
+    empty: Any = None
+    numbers = fmpq(-1), fmpq(3, 2), fmpq(-1), fmpq(1, 4), fmpq(0)
+    found = UniformSide(empty, *numbers, (), "lift-off", ends_of, undecided)
+    for place in (8, 100):
+        assert math.isclose(float(found.latest(fmpq(1, place))), 2 + math.log(3 * place) / 5, rel_tol=1e-14)
 
 
 def test_undecided_has_no_side() -> None:
