@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from flint import fmpq
 
+from gspot_verified.compliant.motion.run import AFTER_FLIGHTS, ONE_FLIGHT, TRIVIAL
 from gspot_verified.compliant.motion.run import IMPACT as LASTING
-from gspot_verified.compliant.motion.run import ONE_FLIGHT, TRIVIAL
 from gspot_verified.compliant.motion.run import events as exact_events
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
@@ -219,3 +219,14 @@ def test_a_run_that_has_boxes_keeps_them(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(module, "integrated_run", started)
     run = SceneRun(CERTIFIED, IMPACT, (), UNDECIDED, sampled(2, Boxes({}, {}, ())))
     assert with_boxes(SCENE, run) is run
+
+
+def test_the_fate_of_several_flights_names_each() -> None:
+    shown = less(0, 1)
+    assert shown is not None
+    names = ("lift-off", "touch-down", "lift-off", "touch-down", "contact for ever from")
+    run: Any = SimpleNamespace(
+        verdict=Verdict.proved(f"exactly 2 flights, {AFTER_FLIGHTS}", shown),
+        events=tuple(SimpleNamespace(name=name) for name in names),
+    )
+    assert module._fate(run) == ", ".join([*names[:4], IMPACT])

@@ -6,6 +6,9 @@ Page: proofs/force_range.md.
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
+from types import SimpleNamespace
+from typing import Any
 
 import mpmath
 import pytest
@@ -301,3 +304,29 @@ def test_a_start_shortly_before_the_lift_off(speed: str) -> None:
     assert found.lower is not None
     assert found.upper is not None
     assert state.p / model.alpha_1 < found.lower < found.upper < state.p / model.alpha_1 + model.epsilon * 2
+
+
+@pytest.mark.parametrize(("first", "last"), [("-1", "1/2"), ("0", "1/2"), ("1/4", "1/2"), ("-1", "-1/2"), ("-1", "2")])
+def test_times_before_and_after_the_g_spot_are_covered(first: str, last: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No piece holds both; with a force that is positive on short pieces only, all of the time is covered."""
+    monkeypatch.setattr(first_zero_module, "_unit", lambda _: fmpq(1))
+    asked: list[tuple[fmpq, fmpq]] = []
+
+    def over(begin: fmpq, end: fmpq) -> arb:
+        asked.append((begin, end))
+        return arb(1) if end - begin < fmpq(1, 3) else arb(0, 1)
+
+    force: Any = SimpleNamespace(motion=None, over=over, near=lambda _: 1.0)
+    begin, end = (fmpq(*map(int, text.split("/"))) for text in (first, last))
+    found = first_zero_module._positive(force, begin, end)
+    assert found is not None
+    assert f" [{begin}, {end}]" in str(found)
+    assert all(one >= 0 or other <= 0 for one, other in asked)
+    for place in (begin, end):
+        force.over = partial(_open_at, place)
+        monkeypatch.setattr(first_zero_module, "_MOST_PIECES", 50)
+        assert first_zero_module._positive(force, begin, end) is None
+
+
+def _open_at(place: fmpq, begin: fmpq, end: fmpq) -> arb:
+    return arb(0, 1) if begin <= place <= end else arb(1)

@@ -15,7 +15,15 @@ from witnesses.theta import contains_witness, to_fraction
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
 from gspot_verified.compliant.motion.contact_series import MAX_WORK
 from gspot_verified.compliant.motion.first_zero import FirstZero, first_zero
-from gspot_verified.compliant.motion.run import IMPACT, ONE_FLIGHT, TRIVIAL, CompliantRun, _next_contact, events
+from gspot_verified.compliant.motion.run import (
+    IMPACT,
+    ONE_FLIGHT,
+    TRIVIAL,
+    CompliantRun,
+    _Followed,
+    _next_contact,
+    events,
+)
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -215,3 +223,16 @@ def test_a_run_does_not_depend_on_the_units(beta: str, nu: str, verdict: str) ->
                 assert second.velocity.is_finite()
                 assert (first.velocity / sigma).overlaps(second.velocity)
                 assert abs(second.velocity).rad() < abs(second.velocity).lower() / 10**6
+
+
+@pytest.mark.parametrize(("reason", "text"), [(Reason.BUDGET, "its budget of 7 "), (Reason.WIDE_INPUT, "too wide")])
+def test_what_was_lacking_is_named(reason: Reason, text: str) -> None:
+    followed = _Followed(compliant_model("3/2", "1/10"), compliant_state("1/2", -2, 0, 0, 1), 64, 7)
+    assert followed._open(reason)[0] is reason
+    assert text in followed._open(reason)[1]
+
+
+@pytest.mark.parametrize("digits", [1, 80])
+def test_the_first_and_the_last_number_of_digits(digits: int) -> None:
+    state = compliant_state("1/2", -1, "-1/25", 0, "-1/50")
+    assert events(compliant_model("3/2", "1/10"), state, digits).verdict.statement == TRIVIAL

@@ -149,3 +149,17 @@ def test_a_number_that_its_pieces_do_not_hold_cannot_be_proved(beta: str) -> Non
     for each in wrong:
         with pytest.raises(ValueError, match="evidence"):
             _ = each.verdict
+
+
+def test_the_largest_number_of_digits() -> None:
+    (place,) = slow_zeros(2, 1, digits=100).places
+    assert place.rad() < arb(10) ** -99
+    with pytest.raises(ValueError, match="digits must be an int"):
+        slow_zeros(2, 1, digits=101)
+
+
+def test_without_a_column_the_number_stays_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gspot_verified.compliant.zeros.zero_count.slow_zero_column", lambda *_: None)
+    found = slow_zeros("5/2", 1)
+    assert (found.number, found.column, found.places) == (None, None, ())
+    assert found.verdict.outcome is Outcome.UNDECIDED

@@ -13,12 +13,9 @@ from pathlib import Path
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.compliant.patches.slow_patch import SlowPatch
+from gspot_verified.compliant.zeros import zero_map as module
 from gspot_verified.compliant.zeros.fold_column import (
     fold_column,
-    fold_parts,
-    is_fold,
-    nearest_minimum,
     numbers_of_zeros,
 )
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
@@ -100,45 +97,6 @@ def test_from_9_on_the_fold_is_behind() -> None:
     assert column is not None
     assert numbers_of_zeros(column, fmpq(0), fmpq(1, 1000)) == (3,)
     assert [slow_zeros(beta, "1/1000", 2).number for beta in ("9.001", "9.007")] == [3, 3]
-
-
-def test_a_fold_is_behind_an_integer_only_where_the_polynomial_has_no_more_zeros() -> None:
-    """F_8 has two zeros up to epsilon = 13.75; two more at that epsilon meet: nothing is said about a range that holds
-    it, nor about a column that begins elsewhere."""
-    pieces = (
-        ColumnPiece(Kind.LEFT, None, fmpq(-1)), ColumnPiece(Kind.FOLD, fmpq(-1), fmpq(1)),
-        ColumnPiece(Kind.MONOTONE, fmpq(1), fmpq(2), -1), ColumnPiece(Kind.SIGN, fmpq(2), fmpq(3), -1),
-        ColumnPiece(Kind.MONOTONE, fmpq(3), fmpq(4), 1), ColumnPiece(Kind.RIGHT, fmpq(4), None, 1),
-    )  # fmt: skip
-    column = Column(fmpq(9), fmpq(73, 8), pieces)
-    assert numbers_of_zeros(column, fmpq(0), fmpq(13)) == (3,)
-    assert numbers_of_zeros(column, fmpq(13), fmpq(14)) == (5, 3)
-    assert numbers_of_zeros(column, fmpq(14), fmpq(15)) == (5, 3)
-    assert numbers_of_zeros(Column(fmpq(145, 16), fmpq(73, 8), pieces), fmpq(0), fmpq(13)) == (5, 3)
-
-
-def test_no_fold_is_found_where_there_is_none() -> None:
-    """At 4.75, 1/10 and at 7/2, 1 G is negative at its minimum; at 4 it has none."""
-    for lower, upper, n, epsilon in (
-        (fmpq(4), fmpq(4), 2, fmpq(1)),
-        (fmpq(19, 4), fmpq(77, 16), 3, fmpq(1, 10)),
-        (fmpq(7, 2), fmpq(57, 16), 2, fmpq(1)),
-    ):
-        assert fold_column(lower, upper, n, epsilon, epsilon, fmpq(1, 128)) is None
-
-
-def test_a_fold_needs_its_signs_on_every_part() -> None:
-    """beta from 8.125 to 8.25, epsilon = 1: G > 0 left and right of two more zeros; between them it is not convex."""
-    lower, upper = fmpq(57, 8), fmpq(58, 8)
-    patch = SlowPatch(lower, upper, fmpq(1), fmpq(1))
-    signs, slopes = patch.signs(lower, upper), patch.slopes(lower, upper)
-    place, _ = nearest_minimum((lower + upper) / 2, fmpq(1))
-    assert place is not None
-    begin, end = place - fmpq(1, 4), place + fmpq(13, 2)
-    assert signs.sign(begin, begin) == signs.sign(end, end) == 1
-    assert {signs.sign(a, b, 2) for a, b in fold_parts(begin, end)} > {1}
-    assert not is_fold(signs, slopes, begin, end)
-    assert is_fold(signs, slopes, begin, place + fmpq(1, 2))
 
 
 def test_below_4_the_theorem_tells() -> None:
@@ -270,3 +228,32 @@ def test_an_infinite_end_is_refused(ends: tuple[fmpq | None, fmpq | None]) -> No
 def test_a_ball_is_refused() -> None:
     with pytest.raises(TypeError, match="epsilon"):
         zero_map("5..6", arb(1))  # type: ignore[arg-type]
+
+
+def test_stretches_end_at_integers_and_where_a_range_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "numbers_of_zeros", lambda *_: (2,))
+    ends = [(9, 10), (10, 11), (12, 14), (14, 16)]  # over 2: 11/2 to 6 is left out, 5 and 7 are integers
+    columns = tuple(Column(fmpq(lower, 2), fmpq(upper, 2), ()) for lower, upper in ends)
+    found = Row(fmpq(0), fmpq(1), columns, ()).stretches()
+    assert found == [(fmpq(lower, 2), fmpq(upper, 2), (2,)) for lower, upper in ends]
+    halves = tuple(Column(fmpq(lower, 4), fmpq(lower + 1, 4), ()) for lower in (17, 18, 20))
+    assert [stretch[:2] for stretch in Row(fmpq(0), fmpq(1), halves, ()).stretches()] == [
+        (fmpq(17, 4), fmpq(19, 4)),
+        (fmpq(5), fmpq(21, 4)),
+    ]
+
+
+def test_columns_and_rows_are_those_of_the_rectangle() -> None:
+    assert module._columns(fmpq(3), fmpq(67, 16)) == [(fmpq(4), fmpq(33, 8)), (fmpq(33, 8), fmpq(67, 16))]
+    first = 2 * module._FIRST_ETA**3
+    assert module._rows(fmpq(0), first) == [(fmpq(0), first)]
+    assert module._rows(fmpq(0), first + 1)[0] == (fmpq(0), first)
+    assert module._rows(first, first) == [(first, first)]
+
+
+@pytest.mark.parametrize(
+    ("beta", "text"),
+    [("1..2", "1 on (1, 2)"), ("2..5/2", "2 on (2, 5/2)"), ("3/2..4", "1 on (3/2, 2), 2 on (2, 3), 1 on (3, 4)")],
+)
+def test_the_law_below_4_in_words(beta: str, text: str) -> None:
+    assert str(zero_map(beta, "1")).splitlines()[1] == f"  β < 4, every ε > 0, by theorem: {text}"
