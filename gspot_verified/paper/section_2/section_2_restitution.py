@@ -146,8 +146,8 @@ def _elastic() -> Entry:
         "2-restitution-elastic",
         "lines 560 to 566",
         r"e\to1:\quad c\to0,\ c\to\infty,\ k_2\to0,\ k_1\to\infty",
-        "The energetic coefficient of restitution e of an impact (constant p > 0, λ_N the only force) tends to 1 as "
-        "c → 0, c → ∞, k_2 → 0 or k_1 → ∞, the other constants fixed",
+        "The energetic coefficient of restitution e of an impact (constant p > 0, λ_N the only force, y = z = 0 at its "
+        "start) tends to 1 as c → 0, c → ∞, k_2 → 0 or k_1 → ∞, the other constants fixed",
         Q2.carries(
             Check(
                 Rung.EXACT,
@@ -244,8 +244,8 @@ def _inelastic() -> Entry:
         "2-restitution-inelastic",
         "lines 566 to 568",
         r"e\to0:\quad k_1\to0,\ k_2\to\infty",
-        "The coefficient of restitution of an impact (constant p > 0, λ_N the only force) tends to 0 as k_1 → 0 and "
-        "k_2 → ∞, however the two are related, with c fixed",
+        "The coefficient of restitution of an impact (constant p > 0, λ_N the only force, y = z = 0 at its start) "
+        "tends to 0 as k_1 → 0 and k_2 → ∞, however the two are related, with c fixed",
         Q3.carries(
             Check(
                 Rung.EXACT,
@@ -293,8 +293,8 @@ def _not_fixed() -> Entry:
         "lines 568 to 570",
         r"k_1,\ k_2,\ c\ \text{fixed}\ \not\Rightarrow\ e\ \text{fixed}",
         f"With k_1 = {STIFFNESS}, k_2 = c = 1 the coefficient of restitution of an impact (constant p > 0, λ_N the "
-        f"only force) is below {APART[0]} for p = {ONE_CONTACT[0]} and above {APART[1]} for p = {ONE_CONTACT[1]}: it "
-        "depends on p",
+        f"only force, y = z = 0 at its start) is below {APART[0]} for p = {ONE_CONTACT[0]} and above {APART[1]} for "
+        f"p = {ONE_CONTACT[1]}: it depends on p",
         Check(
             Rung.BALLS,
             "e for both p, by the exact motion",

@@ -93,3 +93,10 @@ def test_the_two_routes_to_a_coefficient_that_is_not_fixed(
     assert [ledger.they_differ(), ledger.the_bounds_differ()] == [True, True]
     monkeypatch.setattr(ledger, "APART", apart)
     assert [ledger.they_differ(), ledger.the_bounds_differ()] == answers
+
+
+def test_each_statement_names_the_start() -> None:
+    """A surface that is still deformed holds energy: proofs/restitution.md begins at rest."""
+    statements = [build().statement for build in ledger.ENTRIES.values()]
+    assert len(statements) == 4
+    assert all("λ_N the only force, y = z = 0 at its start" in statement for statement in statements)
