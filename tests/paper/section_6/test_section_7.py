@@ -73,11 +73,31 @@ def test_the_float_runs_are_of_the_same_start_and_end(monkeypatch: pytest.Monkey
         ledger, "load_scene", lambda _, beta, nu, chi, epsilon, until: scene_of(beta, nu, chi, epsilon, until)
     )
     monkeypatch.setattr(ledger, "float_run", float_run)
+    monkeypatch.setattr(ledger, "is_far", lambda _: True)
     monkeypatch.setattr(ledger, "run_of", lambda case: run(*ledger.RUNS[case], IMPACT))
     assert all(ledger.floats_agree(case) for case in ledger.RUNS)
     assert asked == dict.fromkeys(ledger.RUNS, fmpq(5, 2))
     monkeypatch.setattr(ledger, "run_of", lambda case: run(*ledger.RUNS[case], STICK))
     assert not any(ledger.floats_agree(case) for case in ledger.RUNS)
+    monkeypatch.setattr(ledger, "run_of", lambda case: run(*ledger.RUNS[case], IMPACT))
+    monkeypatch.setattr(ledger, "is_far", lambda _: False)
+    assert not any(ledger.floats_agree(case) for case in ledger.RUNS)
+
+
+@pytest.mark.parametrize(
+    ("names", "b", "answer"),
+    [
+        (AGAIN, [0.0, 60.0, 60.0], True),
+        (AGAIN, [60.0, 60.0, 50.0], False),
+        (AGAIN, [60.0, 60.0, 51.0], True),
+        (AGAIN[:2], [60.0, 60.0, 60.0], None),
+        ((), [60.0, 60.0, 60.0], None),
+    ],
+)
+def test_the_last_lift_off_is_far_from_the_g_spot(names: tuple[str, ...], b: list[float], answer: bool | None) -> None:
+    found = run(*names)
+    found.samples = SimpleNamespace(columns={"t": [0.0, 1.5, 2.0], "b": b})
+    assert ledger.is_far(found) is answer
 
 
 def scene_of(beta: fmpq, nu: fmpq, chi: int, epsilon: fmpq, until: fmpq) -> Any:
