@@ -155,8 +155,8 @@ def _initial_value(j: int) -> Entry:
         f"A-{label}",
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
-        f"The initial value of eq. {label} is that of the solution without oscillatory terms, for every β that is not "
-        "0, 1, 2, ...",
+        f"The initial value of eq. {label} is that of Θ, the solution without oscillatory terms that is asymptotic to "
+        "(-τ)^β as τ → −∞, for every β that is not 0, 1, 2, ...",
         LAPLACE.carries(
             claim.check(
                 "section 1 (substitution r^3/3): its value and the printed one, as closed forms in β",

@@ -237,8 +237,8 @@ def _ends() -> Entry:
         "lines 226 to 227",
         r"\text{one initial condition lifts off in slip, the other (with smaller initial }u)\text{ in stick}",
         "Rigid impact with p > 0 and 0 < B < μA, v = -m < 0 and u > 0 at first, Poisson's law with r > 0: it lifts off "
-        "in slip where p u is above (μA - B)(1 + r) m, and in stick where it is below; so of two impacts with the same "
-        "v the one with the smaller u is in stick",
+        "in slip where p u is above (μA - B)(1 + r) m, and in stick where it is below; so where of two impacts with "
+        "the same v one lifts off in slip and one in stick, the one in stick has the smaller u",
         Check(
             Rung.EXACT,
             "along the normal impulse: v and u at the end of slip; v rises in stick",

@@ -242,8 +242,8 @@ def _one_series() -> Entry:
         ),
         corrected=""
         if None in decades
-        else f"the series of the numbers differ or begin above {COMMON}, or some numbers are inexact or misprinted: "
-        "over ε = 10^-3, 10^-4, 10^-5, 10^-6 the "
+        else f"the series of the numbers differ, begin above {COMMON} or have neighbours less than 1 % apart, or some "
+        "numbers are inexact or misprinted: over ε = 10^-3, 10^-4, 10^-5, 10^-6 the "
         f"slopes are {' and '.join(decimals(found) for found in decades if found is not None)} where "
         f"{' and '.join(printed)} are printed",
         note="Each number by itself, but for one, is the slope over some series of ε <= 10^-3. With larger ε in the "

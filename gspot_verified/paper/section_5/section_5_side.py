@@ -137,11 +137,11 @@ def _rule() -> Entry:
         "5-rule",
         "lines 2087 to 2092",
         r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
-        "For every mechanism of Case III with analytic functions, p, b, y, v independent at its G-spot, k_1, k_2, c > "
-        "0, β > 1 not an integer, and every rigid slip motion into the G-spot with C_1 not 0: compliant starts that "
-        "tend to a state of it, the contact not far from rest, keep contact and slip until p < 0 for every ε up to "
-        "some ε_0 > 0, and then lose contact for C_1/Γ(-β) < 0; for C_1/Γ(-β) > 0 λ_N grows past any given force, on "
-        "which ε_0 depends, and contact is not lost before",
+        "For every mechanism of Case III with analytic functions, p, b, y, v independent at its G-spot, k_1, k_2, c >"
+        " 0, β > 1 not an integer, and every rigid slip motion into the G-spot with C_1 not 0, slip being positive "
+        "there too: compliant starts that tend to a state of it, the contact not far from rest, keep contact and slip"
+        " until p < 0 for every ε up to some ε_0 > 0, and then lose contact for C_1/Γ(-β) < 0; for C_1/Γ(-β) > 0 λ_N "
+        "grows past any given force, on which ε_0 depends, and contact is not lost before",
         R.carries(
             Check(
                 Rung.EXACT,
