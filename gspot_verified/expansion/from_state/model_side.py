@@ -27,9 +27,10 @@ class ModelSide(NoTruthValue, Written):
     """What becomes of all starts of the model system in a stated set, for every epsilon in (0, ``epsilon``] at once.
 
     ``side``: "lift-off" (lambda_N > 0 on the way to the G-spot and up to the scaled time ``entered`` > 0 after it, then
-    it reaches 0), "impact" (lambda_N > 0 until it exceeds ``force``, with p < 0), or None: undecided, and
-    ``verdict.detail`` says which inequality is not certain. It happens by :meth:`latest`. ``drift`` bounds how far log
-    C_1 moves on the way. Slip is assumed to stay positive. The statement is about the model system only.
+    it reaches 0), "impact" (lambda_N > 0 so far and on until it exceeds ``force``, with p < 0; a start may exceed it
+    already), or None: undecided, and ``verdict.detail`` says which inequality is not certain. It happens by
+    :meth:`latest`. ``drift`` bounds how far log C_1 moves on the way. Slip is assumed to stay positive. The statement
+    is about the model system only.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -147,7 +148,8 @@ def _side(start: ModelStart, epsilon: fmpq | None, delta: fmpq, factor: fmpq) ->
     if ends[0].side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        side, statement = "impact", f"{before} and on, until it exceeds {factor * start.mean_force}; p < 0 there"
+        ends_by = f"after that it stays so until it exceeds {factor * start.mean_force}; p < 0 there"
+        side, statement = "impact", f"{before}; {ends_by}"
     drift = hull([abs((each.handed.coefficient / c_1).log()) for each in found]).upper()
     return ModelSide(
         start, epsilon, c_1, side=side, ends=tuple(ends), drift=drift, verdict=Verdict.proved(statement, shown)

@@ -158,7 +158,8 @@ def uniform_side(
     if ends[0].side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        side, statement = "impact", f"{before} and on, until it exceeds {ball_text(ends[0].force, 3)}; p < 0 there"
+        ends_by = f"after that it stays so until it exceeds {ball_text(ends[0].force, 3)}; p < 0 there"
+        side, statement = "impact", f"{before}; {ends_by}"
     return UniformSide(*family, side, tuple(ends), Verdict.proved(statement, shown))
 
 
