@@ -144,14 +144,9 @@ def _of_states(
 
 def _draw(result: Sweep | Fates, path: Path) -> Path:
     from gspot_verified.mechanisms.sweep.sweep_result import Sweep
+    from gspot_verified.report.pictures.sweep_picture import save_fates, save_sweep
 
-    if isinstance(result, Sweep):
-        from gspot_verified.report.pictures.sweep_picture import save_sweep
-
-        return save_sweep(result, path)
-    from gspot_verified.report.pictures.fates_picture import save_fates
-
-    return save_fates(result, path)
+    return save_sweep(result, path) if isinstance(result, Sweep) else save_fates(result, path)
 
 
 def _assignments(option: str, texts: list[str]) -> dict[str, str]:

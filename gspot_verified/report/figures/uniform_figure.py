@@ -8,8 +8,7 @@ from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.bound import UniformBound, uniform_bound
 from gspot_verified.numbers.balls import approximate, float_bounds
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.report.pictures.canvas import COLOURS, STYLES, Picture, canvas, picture, styled
-from gspot_verified.report.pictures.typeset import LAMBDA_N
+from gspot_verified.report.pictures.canvas import COLOURS, LAMBDA_N, STYLES, Picture, canvas, picture, styled
 from gspot_verified.testing import extended_example
 
 _ORDER = 6  # terms of the expansion: enough for pieces that are not too short

@@ -16,8 +16,7 @@ from gspot_verified.mechanisms.iwc import iwc
 from gspot_verified.numbers.balls import Exact
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.certificates import CheckedCertificate, checked
-from gspot_verified.report.mechanism.part import ReportPart, outcome_of
-from gspot_verified.report.mechanism.subject import Subject, beta_ends
+from gspot_verified.report.mechanism.subject import ReportPart, Subject, beta_ends, outcome_of
 from gspot_verified.report.pictures.contact_force_picture import contact_force_picture
 from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros.brackets import zeros_at

@@ -27,7 +27,6 @@ from gspot_verified.numbers.written import Written
 from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.data import versions
 from gspot_verified.report.mechanism.certified_force import force_part, force_picture_part, zeros_part
-from gspot_verified.report.mechanism.part import ReportPart, attempted, outcome_of
 from gspot_verified.report.mechanism.runs import (
     CHOSEN,
     ReportScene,
@@ -37,7 +36,15 @@ from gspot_verified.report.mechanism.runs import (
     slip_part,
     state_text,
 )
-from gspot_verified.report.mechanism.subject import Source, Subject, beta_ends, placed_at
+from gspot_verified.report.mechanism.subject import (
+    ReportPart,
+    Source,
+    Subject,
+    attempted,
+    beta_ends,
+    outcome_of,
+    placed_at,
+)
 from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.report.pictures.expansion_picture import expansion_picture
 from gspot_verified.report.pictures.mechanism_picture import mechanism_picture

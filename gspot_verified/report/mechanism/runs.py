@@ -19,8 +19,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import approximate, ball, working_bits
 from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.report.mechanism.part import ReportPart
-from gspot_verified.report.mechanism.subject import Source, Subject
+from gspot_verified.report.mechanism.subject import ReportPart, Source, Subject
 from gspot_verified.report.pictures.mechanism_animation import mechanism_animation
 from gspot_verified.report.pictures.phase_plane import RigidSlip
 from gspot_verified.scenes.scene.file import load_scene, parse_scene, scene_names

@@ -8,8 +8,7 @@ from flint import fmpq
 
 from gspot_verified.leading_order.contact_force import ContactForce, rational
 from gspot_verified.numbers.balls import ExactInput, ball, float_bounds
-from gspot_verified.report.pictures.canvas import BLUE, INK, VERMILION, Picture, canvas, picture, styled
-from gspot_verified.report.pictures.typeset import LAMBDA_N
+from gspot_verified.report.pictures.canvas import BLUE, INK, LAMBDA_N, VERMILION, Picture, canvas, picture, styled
 
 _POINTS = tuple(fmpq(k, 16) for k in range(-80, 65))
 _SIDES = ((1, BLUE, "-"), (-1, VERMILION, "--"))

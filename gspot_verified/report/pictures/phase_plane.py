@@ -25,8 +25,18 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
 from gspot_verified.numbers.balls import ball, working_bits
-from gspot_verified.report.pictures.canvas import BLUE, GREEN, INK, ORANGE, PURPLE, Picture, canvas, picture, styled
-from gspot_verified.report.pictures.typeset import LAMBDA_N
+from gspot_verified.report.pictures.canvas import (
+    BLUE,
+    GREEN,
+    INK,
+    LAMBDA_N,
+    ORANGE,
+    PURPLE,
+    Picture,
+    canvas,
+    picture,
+    styled,
+)
 
 _OWN = " The given start: middles of enclosures at certified points of its path; lines between them are only drawn."
 _BITS = 80  # beyond what a picture shows

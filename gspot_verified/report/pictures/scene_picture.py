@@ -17,6 +17,7 @@ from gspot_verified.report.pictures.canvas import (
     BLUE,
     GREEN,
     INK,
+    LAMBDA_N,
     ORANGE,
     PURPLE,
     VERMILION,
@@ -24,9 +25,9 @@ from gspot_verified.report.pictures.canvas import (
     canvas,
     picture,
     styled,
+    typeset,
 )
 from gspot_verified.report.pictures.scene_curves import boxes_over, falls, outline, phase_rows, places
-from gspot_verified.report.pictures.typeset import LAMBDA_N, typeset
 from gspot_verified.scenes.scene.run import CERTIFIED, IMPACT, SceneRun
 from gspot_verified.scenes.scene.samples import RADIUS, Samples
 from gspot_verified.scenes.scene.scene import Scene

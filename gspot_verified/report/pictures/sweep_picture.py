@@ -1,13 +1,19 @@
-"""A sweep drawn from its certified pieces: β over one parameter, or Case and side on a map of two."""
+"""Sweeps drawn from their certified pieces: over one parameter or component, or on a map of two.
+
+Of parameters: β, or Case and side; of initial states: the fate.
+"""
 
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpq
 
+from gspot_verified.mechanisms.fates.box_fate import Fate
+from gspot_verified.mechanisms.fates.fates_result import Fates
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 from gspot_verified.numbers.balls import approximate, float_bounds
@@ -22,11 +28,12 @@ from gspot_verified.report.pictures.canvas import (
     canvas,
     save_figure,
     styled_figure,
+    typeset,
 )
-from gspot_verified.report.pictures.typeset import typeset
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 _ANSWERS: dict[Any, tuple[str, str]] = {
     ("I", None, -1): (BLUE, "Case I"),
@@ -57,10 +64,17 @@ def _saved(result: Sweep, path: Path) -> Path:
     figure = canvas(5.2)
     axes = figure.subplots()
     (_line if len(result.axes) == 1 else _map)(result, axes)
-    _legend(result, axes)
-    figure.supxlabel("\n".join(textwrap.wrap(caption(result), 116)), fontsize=8, x=0.02, ha="left")
-    over = ", ".join(f"{axis.name} from {axis.lower} to {axis.upper}" for axis in result.axes)
-    return save_figure(figure, "sweep", f"{result.name}: Case and side of the G-spot over {over}", path)
+    _legend(axes, dict.fromkeys(map(_look, result.pieces)), 0.5)
+    _write_below(figure, caption(result))
+    return save_figure(figure, "sweep", f"{result.name}: Case and side of the G-spot over {_over(result)}", path)
+
+
+def _write_below(figure: Figure, words: str) -> None:
+    figure.supxlabel("\n".join(textwrap.wrap(words, 116)), fontsize=8, x=0.02, ha="left")
+
+
+def _over(result: Sweep | Fates) -> str:
+    return ", ".join(f"{axis.name} from {axis.lower} to {axis.upper}" for axis in result.axes)
 
 
 def _line(result: Sweep, axes: Axes) -> None:
@@ -92,26 +106,35 @@ def _line(result: Sweep, axes: Axes) -> None:
 
 
 def _map(result: Sweep, axes: Axes) -> None:
+    _draw_pieces(result, axes, [_look(piece)[0] for piece in result.pieces], 0.6)
+
+
+def _draw_pieces(result: Sweep | Fates, axes: Axes, colours: list[str], alpha: float) -> None:
+    """Each piece in its colour; over one parameter or component it is as high as the picture."""
     from matplotlib.collections import PatchCollection
     from matplotlib.patches import Rectangle
 
-    boxes, colours = [], []
+    boxes = []
     for piece in result.pieces:
-        (left, low), (right, high) = (tuple(map(approximate, end)) for end in (piece.lower, piece.upper))
-        boxes.append(Rectangle((left, low), right - left, high - low))
-        colours.append(_look(piece)[0])
-    axes.add_collection(PatchCollection(boxes, facecolors=colours, alpha=0.6, linewidths=0, rasterized=True))
-    first, second = result.axes
+        (left, *low), (right, *high) = (tuple(map(approximate, end)) for end in (piece.lower, piece.upper))
+        bottom, top = (low[0], high[0]) if low else (0.0, 1.0)
+        boxes.append(Rectangle((left, bottom), right - left, top - bottom))
+    axes.add_collection(PatchCollection(boxes, facecolors=colours, alpha=alpha, linewidths=0, rasterized=True))
+    first, *second = result.axes
     axes.set(xlim=(approximate(first.lower), approximate(first.upper)), xlabel=typeset(first.name))
-    axes.set(ylim=(approximate(second.lower), approximate(second.upper)), ylabel=typeset(second.name))
+    if second:
+        axes.set(ylim=(approximate(second[0].lower), approximate(second[0].upper)), ylabel=typeset(second[0].name))
+    else:
+        axes.set(ylim=(0.0, 1.0))
+        axes.set_yticks([])
     axes.grid(False)
 
 
-def _legend(result: Sweep, axes: Axes) -> None:
+def _legend(axes: Axes, looks: Iterable[tuple[str, str]], alpha: float) -> None:
+    """The words of each colour."""
     from matplotlib.patches import Patch
 
-    looks = {_look(piece): None for piece in result.pieces}
-    handles = [Patch(facecolor=colour, alpha=0.5, edgecolor=INK, label=label) for colour, label in looks]
+    handles = [Patch(facecolor=colour, alpha=alpha, edgecolor=INK, label=label) for colour, label in looks]
     axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=3, fontsize=8.5, frameon=False)
 
 
@@ -135,3 +158,63 @@ def caption(result: Sweep) -> str:
         text += f"; β lies in the dark boxes. Dotted: where Case or side may change ({len(result.crossings)})"
         text += ". Red: a fold" if result.folds else ""
     return f"{text}." + (f" {left} pieces are not settled." if left else "")
+
+
+_COLOURS = {
+    Fate.BELOW: ORANGE,
+    Fate.ABOVE: PURPLE,
+    Fate.SPOT: INK,
+    Fate.LIFT_OFF: BLUE,
+    Fate.STOPS: GREEN,
+    Fate.OPENS: "#d9dcdf",
+    Fate.PAINLEVE: "#8a8f94",
+    Fate.NO_SLIP: PAPER,
+    Fate.UNDECIDED: VERMILION,
+}
+_LABELS = {
+    Fate.BELOW: "G-spot, C₁ < 0",
+    Fate.ABOVE: "G-spot, C₁ > 0",
+    Fate.SPOT: "G-spot, sign of C₁ open",
+    Fate.LIFT_OFF: "lift-off before",
+    Fate.STOPS: "slip stops before",
+    Fate.OPENS: "b > 0: opens at once",
+    Fate.PAINLEVE: "p < 0: nothing more is said",
+    Fate.NO_SLIP: "no positive slip",
+    Fate.UNDECIDED: "undecided",
+}
+
+
+def save_fates(result: Fates, path: Path) -> Path:
+    """Draw a sweep over states as a PNG, PDF or SVG file; a file that is there is replaced when the new one is ready.
+
+    :raises ValueError: another suffix.
+    """
+    return styled_figure(lambda: _saved_fates(result, path))
+
+
+def _saved_fates(result: Fates, path: Path) -> Path:
+    figure = canvas(5.2)
+    axes = figure.subplots()
+    _draw_pieces(result, axes, [_COLOURS[piece.fate] for piece in result.pieces], 0.7)
+    found = {piece.fate for piece in result.pieces}
+    _legend(axes, [(_COLOURS[fate], _label(result, fate)) for fate in Fate if fate in found], 0.7)
+    _write_below(figure, fates_caption(result))
+    return save_figure(figure, "fates", f"{result.name}: where slip ends over {_over(result)}", path)
+
+
+def _label(result: Fates, fate: Fate) -> str:
+    side = {Fate.BELOW: result.sides.below, Fate.ABOVE: result.sides.above}.get(fate)
+    return _LABELS[fate] + (f": {side}" if side else "")
+
+
+def fates_caption(result: Fates) -> str:
+    """What is certified in the picture."""
+    state = ", ".join(f"{word} = {value}" for word, value in result.state)
+    left = sum(piece.fate is Fate.UNDECIDED for piece in result.pieces)
+    text = (
+        f"{result.name}{f', from {state}' if state else ''}. Certified: on each of the {len(result.pieces)} pieces the "
+        f"colour holds for every initial state{f'; {left} are undecided' if left else ''}."
+    )
+    if result.sides.below is None:
+        return text
+    return f"{text} What follows the G-spot: for epsilon below some epsilon_0 > 0, one a state, not computed."

@@ -20,9 +20,8 @@ from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.mechanism.mechanism_report import mechanism_page, write_pages
-from gspot_verified.report.mechanism.part import ReportPart
 from gspot_verified.report.mechanism.report import ReportedSpot
-from gspot_verified.report.mechanism.subject import Subject
+from gspot_verified.report.mechanism.subject import ReportPart, Subject
 from gspot_verified.report.pictures.canvas import Picture
 
 pytestmark = pytest.mark.slow

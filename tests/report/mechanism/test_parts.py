@@ -18,7 +18,6 @@ from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.report.mechanism import certified_force, report, runs
 from gspot_verified.report.mechanism.certified_force import force_part, zeros_part
-from gspot_verified.report.mechanism.part import ReportPart, attempted, outcome_of
 from gspot_verified.report.mechanism.report import (
     exact_side_part,
     expansion_part,
@@ -28,7 +27,7 @@ from gspot_verified.report.mechanism.report import (
     true_solutions_part,
 )
 from gspot_verified.report.mechanism.runs import chosen_run, chosen_state, report_scene, scene_parts, slip_part
-from gspot_verified.report.mechanism.subject import Source, Subject
+from gspot_verified.report.mechanism.subject import ReportPart, Source, Subject, attempted, outcome_of
 from gspot_verified.report.pictures.canvas import Picture
 from gspot_verified.signs.zeros.slope_at import UndecidedError
 

@@ -14,9 +14,8 @@ from gspot_verified.mechanisms.spots.classify_all import classify_all
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.report.mechanism import report as module
-from gspot_verified.report.mechanism.part import ReportPart
 from gspot_verified.report.mechanism.report import report_on
-from gspot_verified.report.mechanism.subject import Source, Subject
+from gspot_verified.report.mechanism.subject import ReportPart, Source, Subject
 
 
 @pytest.fixture

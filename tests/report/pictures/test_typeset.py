@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gspot_verified.report.pictures.typeset import LAMBDA_N, typeset
+from gspot_verified.report.pictures.canvas import LAMBDA_N, typeset
 
 
 @pytest.mark.parametrize(
