@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import textwrap
 import threading
 import time
 from collections.abc import Iterable, Iterator, Mapping
@@ -118,14 +117,13 @@ def print_json(data: dict[str, Any], command: str | None = None) -> None:
     _echo_json({**data, "schema": schema_name(command or _running.get())})
 
 
-def print_json_with_rows(data: dict[str, Any], key: str, rows: Iterable[Any]) -> None:
-    """The same with a list at the end, each of whose entries is made when it is printed."""
+def print_json_with_rows(data: dict[str, Any], key: str, rows: Iterable[str]) -> None:
+    """The same with a list at the end, some of whose entries are in each of the texts: :func:`rows_text` makes them."""
     whole = {**data, "schema": schema_name(_running.get())}
     typer.echo(json.dumps(whole, ensure_ascii=False, indent=2, sort_keys=True).removesuffix("\n}"), nl=False)
     typer.echo(f',\n  "{key}": [', nl=False)
-    for number, row in enumerate(rows):
-        text = json.dumps(row, ensure_ascii=False, indent=2, sort_keys=True)
-        typer.echo(f"{',' if number else ''}\n{textwrap.indent(text, '    ')}", nl=False)
+    for number, text in enumerate(rows):
+        typer.echo(f"{',' if number else ''}\n{text}", nl=False)
     typer.echo("\n  ]\n}")
 
 

@@ -113,16 +113,31 @@ def _covering(parts: str) -> str:
 def cover_by_boxes(parts: Iterable[Box], whole: Box) -> Evidence | None:
     """The same for closed boxes in one or more dimensions.
 
+    Memory holds all of them; where they come slab after slab along the first component, those of one slab.
+
     >>> zero, half, one = fmpq(0), fmpq(1, 2), fmpq(1)
     >>> parts = [((zero, zero), (half, one)), ((half, zero), (one, one))]
     >>> print(cover_by_boxes(parts, ((zero, zero), (one, one))), cover_by_boxes(parts[:1], ((zero, zero), (one, one))))
     2 boxes cover [0, 1] x [0, 1] None
     """
-    listed = list(parts)
-    if not whole[0] or not _covers(listed, whole):
+    if not whole[0]:
+        return None
+    (lower, *low), (upper, *high) = whole
+    count, slabs, reached, waiting = 0, lower < upper, lower, list[Box]()
+    far = lower  # where the first component of those that wait ends
+    for first, last in parts:
+        if slabs and count and far <= first[0]:
+            slabs = _covers(waiting, ((reached, *low), (far, *high)))
+            if slabs:
+                reached, waiting = far, []
+        waiting.append((first, last))
+        count += 1
+        if far < last[0]:
+            far = last[0]
+    if not (lower < reached and upper <= reached) and not _covers(waiting, ((reached, *low), (upper, *high))):
         return None
     sides = " x ".join(f"[{first}, {last}]" for first, last in zip(*whole, strict=True))
-    return Evidence._of_facts((f"{_covering(counted(len(listed), 'box', 'boxes'))} {sides}",))
+    return Evidence._of_facts((f"{_covering(counted(count, 'box', 'boxes'))} {sides}",))
 
 
 def _covers(parts: Sequence[Box], whole: Box) -> bool:

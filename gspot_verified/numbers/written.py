@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import enum
 import html
+import json
 import sys
+import textwrap
 import types
 import typing
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from fractions import Fraction
 from functools import cache, cached_property, reduce
@@ -331,6 +333,16 @@ def _hint(kind: Any, path: str) -> Any:
     if get_origin(hint) is ClassVar:
         (hint,) = get_args(hint)
     return _hint(hint, further) if further else hint
+
+
+def rows_text(rows: Iterable[Any]) -> str:
+    """Entries of a list in an object, as JSON.
+
+    >>> rows_text([1, "a"])
+    '    1,\\n    "a"'
+    """
+    texts = (json.dumps(row, ensure_ascii=False, indent=2, sort_keys=True) for row in rows)
+    return ",\n".join(textwrap.indent(text, "    ") for text in texts)
 
 
 def under(name: str, written: str) -> str:

@@ -94,11 +94,12 @@ def as_they_end(pool: Executor, calls: Mapping[str, Callable[[], _Result]]) -> I
         yield name, result
 
 
-def in_order(pool: Executor, calls: Iterable[Callable[[], _Result]]) -> Iterator[_Result]:
+def in_order(pool: Executor, calls: Iterable[Callable[[], _Result]], in_flight: int = _IN_FLIGHT) -> Iterator[_Result]:
     """The results of the calls in their order; what a call raises is raised here.
 
-    In-process none begins before its turn. Elsewhere at most 256 calls are given out and not yet taken back, so that
-    neither they nor their results pile up; the next calls are made (and taken from ``calls``) as results are taken.
+    In-process none begins before its turn. Elsewhere at most ``in_flight`` calls are given out and not yet taken back,
+    so that neither they nor their results pile up; the next calls are made (and taken from ``calls``) as results are
+    taken.
 
     >>> with executor() as pool:
     ...     list(in_order(pool, [int, str]))
@@ -109,7 +110,7 @@ def in_order(pool: Executor, calls: Iterable[Callable[[], _Result]]) -> Iterator
         return
     waiting: deque[Future[_Result]] = deque()
     for call in calls:
-        if len(waiting) == _IN_FLIGHT:
+        if len(waiting) == in_flight:
             yield waiting.popleft().result()
         waiting.append(pool.submit(call))
     while waiting:

@@ -163,6 +163,27 @@ def test_boxes_cover_where_they_leave_no_point_out(parts: list[tuple[int, ...]],
     assert (cover_by_boxes(boxes, asked) is not None) is covered
 
 
+@pytest.mark.parametrize("left_out", [None, *range(12)])
+def test_slab_after_slab_every_box_is_needed(left_out: int | None) -> None:
+    """Twelve squares in three columns, in their order, the second column first, and backwards."""
+    squares = [((fmpq(i), fmpq(j)), (fmpq(i + 1), fmpq(j + 1))) for i in range(3) for j in range(4)]
+    boxes = [square for number, square in enumerate(squares) if number != left_out]
+    whole = (fmpq(0), fmpq(0)), (fmpq(3), fmpq(4))
+    for order in (boxes, [*boxes[4:], *boxes[:4]], boxes[::-1]):
+        assert (cover_by_boxes(order, whole) is not None) is (left_out is None)
+        assert (cover_by_boxes(iter(order), whole) is not None) is (left_out is None)
+
+
+def test_a_whole_without_width_is_covered_where_its_side_is() -> None:
+    """Its slabs have no width either: what follows the box that covers it does not matter."""
+    line = (fmpq(1), fmpq(0)), (fmpq(1), fmpq(1))
+    halves = [((fmpq(1), fmpq(k, 2)), (fmpq(1), fmpq(k + 1, 2))) for k in range(2)]
+    for boxes in (halves, [line, *halves], [*halves, line]):
+        assert cover_by_boxes(boxes, line) is not None
+    assert cover_by_boxes(halves[:1], line) is None
+    assert cover_by_boxes([], line) is None
+
+
 def test_of_no_dimension_nothing_is_covered() -> None:
     assert cover_by_boxes([], ((), ())) is None
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -94,17 +95,20 @@ def sweep(
     with executor(workers, scheduler) as pool, outputs.journal(journal):
         work["executor"] = pool
         if state is None:
-            result: Sweep | Fates = _of_a_spot(mechanism, ranges, first, digits, surface, work)
+            swept = _of_a_spot(mechanism, ranges, first, digits, surface, work)
+            result: Sweep | Fates = swept
+            lines, in_parts = partial(swept.csv_lines, pool), partial(swept.in_parts, pool)
         else:
             result = _of_states(mechanism, state, ranges, first, digits, surface, work)
-    if csv is not None:
-        outputs.write("--csv", csv, lambda: _replace(csv, result.csv_lines()))
+            lines, in_parts = partial(result.csv_lines), partial(result.in_parts)
+        if csv is not None:
+            outputs.write("--csv", csv, lambda: _replace(csv, lines()))
+        if as_json:
+            summary, rows = in_parts()
+            print_json_with_rows(summary, "pieces", rows)
     if picture is not None:
         outputs.write("--picture", picture, lambda: _draw(result, picture))
-    if as_json:
-        summary, rows = result.in_parts()
-        print_json_with_rows(summary, "pieces", rows)
-    else:
+    if not as_json:
         typer.echo(str(result))
     outputs.leave(result.verdict.exit_code)
 

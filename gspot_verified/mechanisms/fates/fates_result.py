@@ -16,7 +16,7 @@ from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exa
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
-from gspot_verified.numbers.written import Written, under
+from gspot_verified.numbers.written import Written, rows_text, under
 
 _SUMMARY = "name axes state surface_velocity sides verdict shares notes"
 _WORDS = {
@@ -134,9 +134,9 @@ class Fates(NoTruthValue, Written):
             words = [piece.fate.value, sides.get(piece.fate, ""), piece.why]
             yield ",".join([*ends, *(f'"{word}"' if "," in word else word for word in words)]) + "\n"
 
-    def in_parts(self) -> tuple[dict[str, Any], Iterator[dict[str, Any]]]:
-        """The plain data without the pieces, and that of the pieces, one after the other."""
-        return FatesSummary(self).to_json(), (piece.to_json() for piece in self.pieces)
+    def in_parts(self) -> tuple[dict[str, Any], Iterator[str]]:
+        """The plain data without the pieces, and that of the pieces as JSON, one after the other."""
+        return FatesSummary(self).to_json(), (rows_text([piece.to_json()]) for piece in self.pieces)
 
 
 @dataclass(frozen=True)

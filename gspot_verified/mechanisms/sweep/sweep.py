@@ -5,9 +5,9 @@ Proof page: ``proofs/sweep.md``. The spot at one parameter value is proved first
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 
 from flint import arb, fmpq
@@ -17,12 +17,10 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational,
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem, parametric_system
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep.sweep_division import Patchwork
-from gspot_verified.mechanisms.sweep.sweep_ends import with_folds, without_gaps
 from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
-from gspot_verified.mechanisms.sweep.sweep_fold import Fold
+from gspot_verified.mechanisms.sweep.sweep_fold import Fold, with_folds, without_gaps
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid, Ranges, axes_of, cells
-from gspot_verified.mechanisms.sweep.sweep_links import linked
-from gspot_verified.mechanisms.sweep.sweep_piece import NO_NUMBERS, Kind, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_pieces import SweptPieces
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 from gspot_verified.mechanisms.sweep.sweep_work import Question, open_journal, portions, results
 from gspot_verified.numbers.balls import Exact, ExactInput, working_bits
@@ -30,7 +28,6 @@ from gspot_verified.work.executors import InProcessExecutor
 
 BUDGET = 500  # pieces that are divided again, where no budget is given
 _MAX_DIGITS = 15  # of a bracket: BITS = 80 leave about 24 decimals
-_OTHER = "the continued spot"
 
 
 def sweep(
@@ -86,44 +83,33 @@ in the brackets where one quantity passes zero or the spot vanishes
     work = portions(cells(question.conditions(), question.grid, place, point))
     workers = executor or InProcessExecutor()
     count = len(question.grid)
-    patchwork = Patchwork(question.grid)
+    patchwork = Patchwork(question.grid, question.equations(), place, point)
     number = done = 0
     with open_journal(journal, question, place, first.to_json()) as kept:
         for answer in results(question, work, workers, kept):
-            patchwork.add_cells(answer.pieces, answer.groups)
+            with working_bits(BITS):
+                patchwork.add_cells(answer.block, answer.groups)
             number += 1
-            done += len(answer.pieces)
+            done += len(answer.block.counts)
             if progress is not None:
                 progress(done, count)
         left = budget
         while True:
-            own = _own(question, patchwork, place, point)
             with working_bits(BITS):
-                waiting = patchwork.divisible(own, question.equations(), place, point)
+                waiting = patchwork.divisible()
             if not waiting or left == 0:
                 break
             chosen, known = waiting[:left], min(budget, budget - left + len(waiting))
             parts = portions([cell for _, cell in chosen])
-            numbers = (divided for divided, _ in chosen)
+            numbers = iter([divided for divided, _ in chosen])
             for answer in results(question, parts, workers, kept, number):
                 number += 1
-                for its_parts, groups in answer.by_cell():
-                    patchwork.replace(next(numbers), its_parts, groups)
-                    left -= 1
-                    if progress is not None:
-                        progress(count + budget - left, count + known)
-    return _assembled(question, system, place, first.to_json(), patchwork, own, budget if waiting else None)
-
-
-def _own(question: Question, patchwork: Patchwork, place: tuple[fmpq, ...], point: Sequence[arb]) -> set[int]:
-    """The numbers of the pieces that hold the continued spot."""
-    order = patchwork.order()
-    numbers = {number: k for k, number in enumerate(order)}
-    pieces = [patchwork.pieces[number] for number in order]
-    near = [[numbers[other] for other in sorted(patchwork.near[number])] for number in order]
-    groups = [patchwork.groups[number] for number in order]
-    with working_bits(BITS):
-        return {order[k] for k in linked(question.equations(), pieces, near.__getitem__, place, point, groups)}
+                with working_bits(BITS):
+                    patchwork.replace(list(islice(numbers, len(answer.block.counts))), answer.block, answer.groups)
+                left -= len(answer.block.counts)
+                if progress is not None:
+                    progress(count + budget - left, count + known)
+    return _assembled(question, system, place, first.to_json(), patchwork, budget if waiting else None)
 
 
 def _assembled(
@@ -132,38 +118,27 @@ def _assembled(
     place: tuple[fmpq, ...],
     spot: Mapping[str, str],
     patchwork: Patchwork,
-    own: Collection[int],
     ended: int | None,
 ) -> Sweep:
     """The pieces that hold the continued spot are kept; of the others it is said that they may hold another."""
-    order = patchwork.order()
-    kept = [patchwork.pieces[number] if number in own else _other(patchwork.pieces[number]) for number in order]
+    own, order, store = patchwork.own(), patchwork.order(), patchwork.store
+    store.unsay(number for number in order if not own[number])
     folds: list[Fold] = []
     if len(question.grid.axes) == 1:
-        mine = [k for k, number in enumerate(order) if number in own]
         with working_bits(BITS):
-            kept, folds = with_folds(system, question.equations(), kept, mine, question.digits)
-        kept = without_gaps(kept)
+            order, folds = with_folds(system, question.equations(), store, order, own, question.digits)
+        order = without_gaps(store, order)
     mechanism = question.mechanism
     return Sweep(
         name=mechanism.name,
         axes=question.grid.axes,
         start=place,
         spot=dict(spot),
-        pieces=tuple(kept),
+        pieces=SweptPieces(store, order),
         folds=tuple(folds),
         notes=mechanism.notes,
         budget=ended,
     )
-
-
-def _other(piece: SweepPiece) -> SweepPiece:
-    if piece.kind is Kind.NO_TUBE:
-        return piece
-    return replace(
-        piece, kind=Kind.OPEN, case=None, lift_off_sign=None, impact_sign=None, unsure=(_OTHER,), passing=None,
-        numbers=NO_NUMBERS,
-    )  # fmt: skip
 
 
 def _axes(mechanism: Mechanism, parameters: Ranges) -> tuple[Axis, ...]:

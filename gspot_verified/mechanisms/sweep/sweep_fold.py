@@ -1,12 +1,16 @@
 """A fold: where the continued spot meets another one and vanishes as the parameter passes a value.
 
 Proof page: ``proofs/sweep.md``, section 6. A component of the state takes the parameter's part: along the curve of
-spots the parameter is a function of it, whose derivative passes zero once.
+spots the parameter is a function of it, whose derivative passes zero once. On a line a fold is sought where the
+continued spot's tubes end inside the range.
 """
 
 from __future__ import annotations
 
+from array import array
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from typing import ClassVar
 
 from flint import arb, fmpq
@@ -16,6 +20,8 @@ from gspot_verified.functions.derivative import ONE, ZERO, lie_derivative, subst
 from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem
 from gspot_verified.mechanisms.sweep.sweep_bracket import bracket
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.krawczyk import strictly_inside
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tube
@@ -167,6 +173,66 @@ def _fold(system: ParametricSystem, short: OnTube, along: int, direction: int, e
     state.insert(along, arb((lower + upper) / 2) + moves[0])
     point = tuple(zip(system.state, map(Dyadic.from_ball, state), strict=True))
     return Fold(system.parameters[0], Dyadic.from_ball(enclosure[m - 1]), direction, end, point)
+
+
+def with_folds(
+    system: ParametricSystem,
+    equations: Equations,
+    store: PieceStore,
+    order: Sequence[int],
+    own: Sequence[bool],
+    digits: int,
+) -> tuple[Sequence[int], list[Fold]]:
+    """The pieces of a line in their order, those behind a fold said to be so, and the folds.
+
+    ``own``: of each piece, by its number, whether it holds the continued spot; those are neighbours.
+    """
+    mine = [place for place, number in enumerate(order) if own[number]]
+    if not mine:
+        return order, []
+    first, last = mine[0], mine[-1]
+    folds, before, after = [], order[:first], order[last + 1 :]
+    if before:
+        fold = _behind(system, equations, store[order[first]], store.box(order[first])[0][0], digits)
+        if fold is not None and fold.opens == 1:
+            folds.append(fold)
+            before = _vanished(store, before, fold)
+    if after:
+        fold = _behind(system, equations, store[order[last]], store.box(order[last])[1][0], digits)
+        if fold is not None and fold.opens == -1:
+            folds.append(fold)
+            after = _vanished(store, after, fold)
+    return array("I", (*before, *order[first : last + 1], *after)) if folds else order, folds
+
+
+def _behind(system: ParametricSystem, equations: Equations, piece: SweepPiece, end: fmpq, digits: int) -> Fold | None:
+    tube = piece.tube()
+    return None if tube is None else fold_next_to(system, equations, tube, end, digits)
+
+
+def _vanished(store: PieceStore, numbers: Sequence[int], fold: Fold) -> Sequence[int]:
+    """The range between the continued spot's last piece and the end of the line: up to the fold, and behind it."""
+    lower, upper = store.box(numbers[0])[0], store.box(numbers[-1])[1]
+    turn = (fold.bounds()[0 if fold.opens > 0 else 1],)
+    if not lower < turn < upper:
+        return store.add(packed([[SweepPiece(lower, upper, Kind.FOLD)]]))
+    kinds = (Kind.BEYOND, Kind.FOLD) if fold.opens > 0 else (Kind.FOLD, Kind.BEYOND)
+    ends = zip((lower, turn), (turn, upper), kinds, strict=True)
+    return store.add(packed([[SweepPiece(*piece) for piece in ends]]))
+
+
+def without_gaps(store: PieceStore, order: Sequence[int]) -> Sequence[int]:
+    """On a line: neighbours without a tube are one piece."""
+    without = [what.kind is Kind.NO_TUBE for what in store.said]
+    joined = array("I")
+    for gap, run in groupby(order, key=lambda number: without[store.codes[number]]):
+        numbers = list(run)
+        if gap and len(numbers) > 1:
+            lower, upper = store.box(numbers[0])[0], store.box(numbers[-1])[1]
+            unsure = max(store.what(number).unsure for number in numbers)
+            numbers = list(store.add(packed([[SweepPiece(lower, upper, Kind.NO_TUBE, unsure=unsure)]])))
+        joined.extend(numbers)
+    return joined
 
 
 def _text(value: Dyadic) -> str:

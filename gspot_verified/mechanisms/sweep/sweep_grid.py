@@ -88,6 +88,18 @@ class Grid:
         pairs = list(zip(self.axes, index, strict=True))
         return tuple(axis.cut(i) for axis, i in pairs), tuple(axis.cut(i + 1) for axis, i in pairs)
 
+    def corners(self) -> Iterator[tuple[tuple[fmpq, ...], tuple[fmpq, ...]]]:
+        """Those of all cells, in order."""
+        *slow, fast = self.axes
+        for index in itertools.product(*(range(axis.cells) for axis in slow)):
+            pairs = list(zip(slow, index, strict=True))
+            lower, upper = tuple(axis.cut(i) for axis, i in pairs), tuple(axis.cut(i + 1) for axis, i in pairs)
+            start = fast.lower
+            for number in range(fast.cells):
+                end = fast.cut(number + 1)
+                yield (*lower, start), (*upper, end)
+                start = end
+
     def middle(self, index: Index) -> tuple[fmpq, ...]:
         """The middle of a cell."""
         return tuple((low + high) / 2 for low, high in zip(*self.ends(index), strict=True))
@@ -99,6 +111,15 @@ class Grid:
             number = int(((value - axis.lower) * axis.cells / (axis.upper - axis.lower)).floor())
             index.append(min(max(number, 0), axis.cells - 1))
         return tuple(index)
+
+    def cells_at(self, place: Sequence[fmpq]) -> Iterator[Index]:
+        """All cells that hold the parameter values: several where these are at their ends."""
+        first = self.cell_of(place)
+        ranges = [range(max(own - 1, 0), min(own + 2, axis.cells)) for own, axis in zip(first, self.axes, strict=True)]
+        for index in itertools.product(*ranges):
+            lower, upper = self.ends(index)
+            if all(low <= value <= high for low, value, high in zip(lower, place, upper, strict=True)):
+                yield index
 
     def neighbours(self, index: Index) -> Iterator[Index]:
         """The cells that share a side with a cell."""
@@ -171,6 +192,11 @@ class GridCells(Sequence[Cell]):
         own = {self._place(self._grid.index(number)) for number in self._numbers}
         near = {number: self._near[number] for number in sorted(own)}
         return GridCells, (self._grid, self._places, near, self._ends & own, self._numbers)
+
+    @property
+    def numbers(self) -> range:
+        """Those of the cells in the grid."""
+        return self._numbers
 
     def located(self, program: BoxProgram) -> Iterator[Cell]:
         """The cells, where there are fewer places than cells and the spot may end each with a place of its own, by

@@ -5,21 +5,22 @@ Proof page: ``proofs/sweep.md``, section 2.
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Sequence
+from array import array
+from collections.abc import Iterable, Sequence
 from itertools import accumulate, pairwise
 
 from flint import arb, fmpq
 
-from gspot_verified.mechanisms.sweep.sweep_piece import SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_piece import Box, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_pieces import Block, PieceStore
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, Tube
 
 
-def common_place(first: SweepPiece, second: SweepPiece) -> tuple[fmpq, ...] | None:
-    """The middle of what two pieces share, if that is a point (one parameter) or a part of a side (two)."""
+def common_place(first: Box, second: Box) -> tuple[fmpq, ...] | None:
+    """The middle of what two boxes share, if that is a point (one parameter) or a part of a side (two)."""
     place, wide = [], 0
-    for low, high, other_low, other_high in zip(first.lower, first.upper, second.lower, second.upper, strict=True):
+    for low, high, other_low, other_high in zip(*first, *second, strict=True):
         start, end = max(low, other_low), min(high, other_high)
         if start > end:
             return None
@@ -41,65 +42,102 @@ def same_zero(equations: Equations, first: Tube, second: Tube, place: Sequence[f
     return at is not None and all(tube.holds_at(place, at.tube.zero_at(place)) for tube in (first, second))
 
 
-def groups_in_a_row(equations: Equations, pieces_by_cell: Sequence[Sequence[SweepPiece]]) -> list[int]:
-    """For each piece, cell after cell, a number: two with the same one certainly hold the same zero, continued.
+def groups_in_a_row(equations: Equations, pieces_by_cell: Sequence[Sequence[SweepPiece]]) -> array[int]:
+    """For each piece, cell after cell, a number from 0: two with the same one certainly hold the same zero, continued.
 
-    Only pieces of one cell and of the next are looked at: what is left out :func:`linked` looks at.
+    Only pieces of one cell and of the next are looked at.
     """
     pieces = [piece for cell in pieces_by_cell for piece in cell]
     ends = [0, *accumulate(map(len, pieces_by_cell))]
-    groups = list(range(len(pieces)))
+    groups = Groups(len(pieces))
     tubes = [piece.tube() for piece in pieces]
     for k, (begin, end) in enumerate(pairwise(ends)):
         for number in range(begin, end):
             for other in range(number + 1, ends[min(k + 2, len(ends) - 1)]):
                 own, its = tubes[number], tubes[other]
-                if own is None or its is None or groups[number] == groups[other]:
+                if own is None or its is None or groups.of(number) == groups.of(other):
                     continue
-                shared = common_place(pieces[number], pieces[other])
+                shared = common_place(pieces[number].box, pieces[other].box)
                 if shared is not None and same_zero(equations, own, its, shared):
-                    groups = [groups[number] if group == groups[other] else group for group in groups]
-    return groups
+                    groups.join(number, other)
+    numbers: dict[int, int] = {}
+    return array("I", (numbers.setdefault(groups.of(number), len(numbers)) for number in range(len(pieces))))
 
 
-def linked(
-    equations: Equations,
-    pieces: Sequence[SweepPiece],
-    neighbours: Callable[[int], Sequence[int]],
-    place: Sequence[fmpq],
-    spot: Sequence[arb],
-    groups: Sequence[int] | None = None,
-) -> set[int]:
-    """The numbers of the pieces whose zero is the given spot, continued: ``spot`` encloses it at ``place``.
+class Groups:
+    """Numbers from 0, some of which are joined, for good."""
 
-    ``groups``: pieces with the same number are known to hold the same zero, continued.
+    def __init__(self, count: int) -> None:
+        self._less = list(range(count))  # of each one in its group that is not larger
+
+    def add(self, count: int) -> int:
+        """So many more, each alone: the first of them."""
+        first = len(self._less)
+        self._less.extend(range(first, first + count))
+        return first
+
+    def of(self, number: int) -> int:
+        """The least number of its group."""
+        while self._less[number] != number:
+            self._less[number] = self._less[self._less[number]]
+            number = self._less[number]
+        return number
+
+    def join(self, number: int, other: int) -> None:
+        """The two groups are one from now on."""
+        first, second = sorted((self.of(number), self.of(other)))
+        self._less[second] = first
+
+    def with_first(self) -> list[bool]:
+        """Of each number whether it is joined with 0."""
+        return [self.of(number) == 0 for number in range(len(self._less))]
+
+
+class Links:
+    """Which of the pieces in a store hold the continued spot: they come with groups, which are joined where two pieces
+    certainly hold the same zero. ``spot`` encloses it at ``place``.
+
+    A link lasts, also through a piece in whose place parts stand later: the continuation along it was proved.
     """
-    alike: dict[int, list[int]] = {}
-    for number, group in enumerate(groups or range(len(pieces))):
-        alike.setdefault(group, []).append(number)
-    numbers: set[int] = set()
-    waiting: deque[int] = deque()
 
-    def take(number: int) -> None:
-        together = alike[groups[number]] if groups else [number]
-        numbers.update(together)
-        waiting.extend(together)
+    def __init__(self, store: PieceStore, equations: Equations, place: Sequence[fmpq], spot: Sequence[arb]) -> None:
+        self._store, self._equations, self._place, self._spot = store, equations, place, spot
+        self._joined = Groups(1)  # 0 is the continued spot
+        self._groups = array("I")
 
-    for number, piece in enumerate(pieces):
-        if number not in numbers and piece.holds(place):
-            tube = piece.tube()
-            if tube is not None and tube.holds_at(place, spot):
-                take(number)
-    while waiting:
-        number = waiting.popleft()
-        open_neighbours = [other for other in neighbours(number) if other not in numbers]
-        own = pieces[number].tube() if open_neighbours else None
-        for other in open_neighbours:
-            its = None if other in numbers else pieces[other].tube()
-            shared = None if its is None else common_place(pieces[number], pieces[other])
-            if shared is not None and own is not None and its is not None and same_zero(equations, own, its, shared):
-                take(other)
-    return numbers
+    def add(self, block: Block, groups: Sequence[int]) -> range:
+        """The numbers of the pieces of a block, with the groups of :func:`groups_in_a_row`."""
+        first = self._joined.add(max(groups, default=-1) + 1)
+        self._groups.extend(first + group for group in groups)
+        return self._store.add(block)
+
+    def link(self, numbers: Iterable[int], others: Sequence[int]) -> None:
+        """Look where a piece of the one kind meets one of the other."""
+        for number in numbers:
+            own = self._joined.of(self._groups[number])
+            for other in others:
+                if own != self._joined.of(self._groups[other]) and self._same(number, other):
+                    self._joined.join(own, self._groups[other])
+                    own = self._joined.of(own)
+
+    def begin(self, numbers: Iterable[int]) -> None:
+        """Look which of the pieces hold the spot where it is known."""
+        for number in numbers:
+            piece = self._store[number]
+            tube = piece.tube() if piece.holds(self._place) else None
+            if tube is not None and tube.holds_at(self._place, self._spot):
+                self._joined.join(0, self._groups[number])
+
+    def own(self) -> list[bool]:
+        """Of each piece, by its number, whether it certainly holds the continued spot."""
+        return list(map(self._joined.with_first().__getitem__, self._groups))
+
+    def _same(self, number: int, other: int) -> bool:
+        place = common_place(self._store.box(number), self._store.box(other))
+        own, its = (None, None) if place is None else (self._store[number].tube(), self._store[other].tube())
+        if place is None or own is None or its is None:
+            return False
+        return same_zero(self._equations, own, its, place)
 
 
 def _exact(value: arb) -> fmpq:

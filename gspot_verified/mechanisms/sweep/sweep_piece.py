@@ -46,6 +46,8 @@ def columns(*groups: tuple[str, Sequence[str]]) -> list[str]:
 
 
 Intervals = tuple[Dyadic, ...]
+Box = tuple[tuple[fmpq, ...], tuple[fmpq, ...]]
+"""The lower ends and the upper ends."""
 
 
 class Kind(enum.Enum):
@@ -126,6 +128,11 @@ class SweepPiece(NoTruthValue):
     passing: Passing | None = None
     numbers: PackedIntervals = NO_NUMBERS
     record: TubeRecord | None = None
+
+    @property
+    def box(self) -> Box:
+        """Its corners."""
+        return self.lower, self.upper
 
     @property
     def middle(self) -> tuple[fmpq, ...]:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
+from itertools import groupby
 from typing import Any, ClassVar
 
 from flint import fmpq
@@ -21,17 +24,19 @@ from gspot_verified.mechanisms.sweep.sweep_piece import (
     columns,
     piece_row,
 )
+from gspot_verified.mechanisms.sweep.sweep_pieces import PackedPortion, Said, SweptPieces
 from gspot_verified.numbers.balls import ExactInput, approximate, exact, float_bounds
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
-from gspot_verified.numbers.written import Written, form, under
+from gspot_verified.numbers.written import Written, form, rows_text, under
 from gspot_verified.signs.gamma.side import side_text
+from gspot_verified.work.executors import InProcessExecutor, in_order
 
-_SLIP = "slip_velocity"
 _SHORT, _DECIMALS = 12, 16  # a rational of so many characters is shown as it is, a longer one with so many decimals
 _SHORT_PIECE = fmpq(1, 10**6)  # of the range: a shorter piece next to a fold counts as its bracket
+_IN_FLIGHT = 32  # portions that are being written, each some hundred kB
 _SUMMARY = "name parameters=axes start=start_values spot verdict crossings notes warnings folds"
 _UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
 
@@ -86,10 +91,20 @@ class Sweep(NoTruthValue, Written):
     axes: tuple[Axis, ...]
     start: tuple[fmpq, ...]
     spot: Mapping[str, str]
-    pieces: tuple[SweepPiece, ...]
+    pieces: Sequence[SweepPiece]
     folds: tuple[Fold, ...] = ()
     notes: tuple[str, ...] = ()
     budget: int | None = None
+
+    def __post_init__(self) -> None:
+        """All pieces are kept in the same way."""
+        if not isinstance(self.pieces, SweptPieces):
+            object.__setattr__(self, "pieces", SweptPieces.of(self.axes, self.pieces))
+
+    @property
+    def _swept(self) -> SweptPieces:
+        assert isinstance(self.pieces, SweptPieces)
+        return self.pieces
 
     @property
     def start_values(self) -> dict[str, fmpq]:
@@ -109,19 +124,18 @@ class Sweep(NoTruthValue, Written):
         on_line = "brackets where one quantity passes zero or the spot vanishes"
         besides = on_line if len(self.axes) == 1 else "pieces along curves where one quantity may pass zero"
         statement = f"{self.name}: Case and side of the continued G-spot for every {over}, except in the {besides}"
-        settled = [piece for piece in self.pieces if piece.kind not in _UNKNOWN and not self._is_wide(piece)]
-        left = len(self.pieces) - len(settled)
+        counts = self._swept.counts()
+        left = sum(count for what, count in counts.items() if what.kind in _UNKNOWN) + self._wide_folds()
         half = sum(not crossing.proved for crossing in self.crossings)
         if not left and not half:
             whole = tuple(axis.lower for axis in self.axes), tuple(axis.upper for axis in self.axes)
-            covered = cover_by_boxes(((piece.lower, piece.upper) for piece in settled), whole)
+            covered = cover_by_boxes((box for _, box in self._swept.boxes()), whole)
             if covered is None:
                 return Verdict.undecided(statement, Reason.HYPOTHESIS, "the pieces leave a part of the range out")
-            known = sum(piece.kind is Kind.SETTLED for piece in settled)
-            if known == 0:
+            if not any(what.kind is Kind.SETTLED for what in counts):
                 return Verdict.undecided(statement, Reason.HYPOTHESIS, "Case and side are settled on no piece")
-            crossed = sum(piece.kind is Kind.CROSSING for piece in settled) if len(self.axes) > 1 else 0
-            detail = f"Case and side are open on {crossed} of {len(settled)} pieces" if crossed else ""
+            crossed = self._count(Kind.CROSSING) if len(self.axes) > 1 else 0
+            detail = f"Case and side are open on {crossed} of {len(self.pieces)} pieces" if crossed else ""
             return Verdict.proved(statement, covered, detail)
         finer = ", ".join(f"{axis.name}={axis.lower}..{axis.upper}:{2 * axis.cells}" for axis in self.axes)
         them = "it" if left == 1 else "them"
@@ -142,12 +156,15 @@ class Sweep(NoTruthValue, Written):
     @property
     def _cells_ended(self) -> bool:
         """Whether pieces are left because the boxes of their cell ended."""
-        return any(ENDED in piece.unsure for piece in self.pieces)
+        return any(ENDED in what.unsure for what in self._swept.counts())
+
+    def _count(self, kind: Kind) -> int:
+        return sum(count for what, count in self._swept.counts().items() if what.kind is kind)
 
     def _fold_between(self) -> str:
         """Of two parameters, where the continued spot is followed up to some pieces and not beyond: what is known of
         that. Empty where it is found on all pieces, or of one parameter, whose folds are sought."""
-        without = sum(piece.kind is Kind.NO_TUBE for piece in self.pieces)
+        without = self._count(Kind.NO_TUBE)
         if not without or len(self.axes) == 1:
             return ""
         names = [axis.name for i, axis in enumerate(self.axes) if self._loses_the_spot_along(i)]
@@ -162,26 +179,24 @@ class Sweep(NoTruthValue, Written):
         """Whether the spot was not found somewhere on the line through the start along this axis."""
         across = [(j, value) for j, value in enumerate(self.start) if j != i]
         return any(
-            piece.kind is Kind.NO_TUBE and all(piece.lower[j] <= value <= piece.upper[j] for j, value in across)
-            for piece in self.pieces
+            all(lower[j] <= value <= upper[j] for j, value in across)
+            for _, (lower, upper) in self._swept.boxes(lambda what: what.kind is Kind.NO_TUBE)
         )
 
-    def _is_wide(self, piece: SweepPiece) -> bool:
-        """Whether a piece next to a fold, where Case and side are not settled, is more than a bracket."""
-        if piece.kind is not Kind.FOLD:
-            return False
-        (axis,) = self.axes
-        return bool(piece.upper[0] - piece.lower[0] > (axis.upper - axis.lower) * _SHORT_PIECE)
+    def _wide_folds(self) -> int:
+        """How many pieces next to a fold, where Case and side are not settled, are more than brackets."""
+        folds = self._swept.boxes(lambda what: what.kind is Kind.FOLD)
+        short = (self.axes[0].upper - self.axes[0].lower) * _SHORT_PIECE
+        return sum(bool(upper[0] - lower[0] > short) for _, (lower, upper) in folds)
 
     @property
     def crossings(self) -> tuple[ZeroOnLine, ...]:
         """On a line: the brackets in which Case or side change."""
         zeros: list[ZeroOnLine] = []
-        for piece in self.pieces if len(self.axes) == 1 else ():
-            passing = piece.passing
-            if passing is None:
-                continue
-            (lower,), (upper,) = piece.lower, piece.upper
+        crossings = self._swept.boxes(lambda what: what.passing is not None)
+        for what, ((lower, *_), (upper, *_)) in crossings if len(self.axes) == 1 else ():
+            passing = what.passing
+            assert passing is not None
             last = zeros[-1] if zeros else None
             if last is not None and last.upper == lower and _same(last, passing):
                 lower, before = last.lower, last.before
@@ -194,10 +209,10 @@ class Sweep(NoTruthValue, Written):
     @property
     def warnings(self) -> tuple[str, ...]:
         """What makes a motion through the G-spot impossible, or not certainly possible, where it is in a Case."""
-        cases = [piece for piece in self.pieces if piece.case in ("I", "II", "III")]
-        tensile = sum(piece.case == "I" for piece in cases)
-        signs = [None if number is None else number.sign() for number in (piece.number(_SLIP) for piece in cases)]
-        wrong, unknown = sum(sign in (-1, 0) for sign in signs), signs.count(None)
+        cases = [(what, count) for what, count in self._swept.counts().items() if what.case in ("I", "II", "III")]
+        tensile = sum(count for what, count in cases if what.case == "I")
+        wrong = sum(count for what, count in cases if what.slip_sign in (-1, 0))
+        unknown = sum(count for what, count in cases if what.slip_sign is None)
         texts = []
         if tensile:
             where = f"in Case I ({counted(tensile, 'piece')})"
@@ -218,17 +233,17 @@ class Sweep(NoTruthValue, Written):
             if not isinstance(value, fmpq) or not axis.lower <= value <= axis.upper:
                 raise ValueError(f"{axis.name}: a rational in [{axis.lower}, {axis.upper}] is needed")
             place.append(value)
-        return next(piece for piece in self.pieces if piece.holds(place))
+        boxes = enumerate(box for _, box in self._swept.boxes())
+        return self.pieces[next(k for k, (lower, upper) in boxes if _holds(lower, place, upper))]
 
     def stretches(self) -> list[tuple[fmpq, fmpq, SweepPiece]]:
         """On a line: maximal ranges on which kind, Case and side are the same, with their first pieces."""
         stretches: list[tuple[fmpq, fmpq, SweepPiece]] = []
-        for piece in self.pieces if len(self.axes) == 1 else ():
-            (lower,), (upper,) = piece.lower, piece.upper
-            if stretches and _alike(stretches[-1][2], piece):
-                stretches[-1] = (stretches[-1][0], upper, stretches[-1][2])
-            else:
-                stretches.append((lower, upper, piece))
+        runs = groupby(enumerate(self._swept.said()), key=lambda numbered: _alike(numbered[1]))
+        for _, run in runs if len(self.axes) == 1 else ():
+            numbers = [k for k, _ in run]
+            first, last = self.pieces[numbers[0]], self.pieces[numbers[-1]]
+            stretches.append((first.lower[0], last.upper[0], first))
         return stretches
 
     def __str__(self) -> str:
@@ -254,9 +269,9 @@ class Sweep(NoTruthValue, Written):
 
     def _counts(self) -> dict[str, int]:
         counts: dict[str, int] = {}
-        for piece in self.pieces:
-            text = _piece_text(piece)
-            counts[text] = counts.get(text, 0) + 1
+        for what, count in self._swept.counts().items():
+            text = _piece_text(what)
+            counts[text] = counts.get(text, 0) + count
         return counts
 
     def to_csv(self) -> str:
@@ -266,18 +281,22 @@ class Sweep(NoTruthValue, Written):
         """
         return "".join(self.csv_lines())
 
-    def csv_lines(self) -> Iterator[str]:
-        """The lines of :meth:`to_csv` with their line feeds, one after the other."""
+    def csv_lines(self, executor: Executor | None = None) -> Iterator[str]:
+        """The lines of :meth:`to_csv` with their line feeds, some at a time, made by the executor."""
         names = [axis.name for axis in self.axes]
         ends = [f"{name}_{end}{form}" for name in names for end in ("lower", "upper") for form in ("", "_exact")]
         words = ["kind", "case", "lift_off_sign_of_C1", "impact_sign_of_C1", "unsure"]
         bounds = [f"{name}_{end}" for name in NUMBERS for end in ("lower", "upper")]
         yield ",".join(columns(("", ends), ("answer_", words), ("spot_", bounds))) + "\n"
-        yield from (_csv_line(piece) + "\n" for piece in self.pieces)
+        yield from self._written(_csv_lines, executor)
 
-    def in_parts(self) -> tuple[dict[str, Any], Iterator[dict[str, Any]]]:
-        """The plain data without the pieces, and that of the pieces, one after the other."""
-        return SweepSummary(self).to_json(), (form(PieceRow).write(piece_row(piece)) for piece in self.pieces)
+    def in_parts(self, executor: Executor | None = None) -> tuple[dict[str, Any], Iterator[str]]:
+        """The plain data without the pieces, and that of the pieces as JSON, some at a time, made by the executor."""
+        return SweepSummary(self).to_json(), self._written(_json_rows, executor)
+
+    def _written(self, write: Callable[[PackedPortion], str], executor: Executor | None) -> Iterator[str]:
+        calls = (partial(write, part) for part in self._swept.portions())
+        return in_order(executor or InProcessExecutor(), calls, _IN_FLIGHT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -300,12 +319,16 @@ def _same(last: ZeroOnLine, passing: Passing) -> bool:
     return (last.quantity, last.direction) == (passing.quantity, passing.direction)
 
 
-def _alike(first: SweepPiece, second: SweepPiece) -> bool:
-    key = [(piece.kind, piece.answer, piece.unsure, piece.passing is None) for piece in (first, second)]
-    return key[0] == key[1]
+def _alike(what: Said) -> object:
+    """The same for pieces of one stretch."""
+    return what.kind, what.answer, what.unsure, what.passing is None
 
 
-def _piece_text(piece: SweepPiece) -> str:
+def _holds(lower: Sequence[fmpq], place: Sequence[fmpq], upper: Sequence[fmpq]) -> bool:
+    return all(low <= value <= high for low, value, high in zip(lower, place, upper, strict=True))
+
+
+def _piece_text(piece: Said | SweepPiece) -> str:
     if piece.kind is Kind.NO_TUBE:
         return f"no continued spot was found{f': {ENDED}' if ENDED in piece.unsure else ''}"
     if piece.kind is Kind.BEYOND:
@@ -321,6 +344,14 @@ def _piece_text(piece: SweepPiece) -> str:
         return "no Case"
     sides = side_text(piece.lift_off_sign, piece.impact_sign)
     return sides if piece.case == "III" else f"Case {piece.case}: {sides.partition(': ')[2]}"
+
+
+def _csv_lines(pieces: Iterable[SweepPiece]) -> str:
+    return "".join(f"{_csv_line(piece)}\n" for piece in pieces)
+
+
+def _json_rows(pieces: Iterable[SweepPiece]) -> str:
+    return rows_text(form(PieceRow).write(piece_row(piece)) for piece in pieces)
 
 
 def _csv_line(piece: SweepPiece) -> str:

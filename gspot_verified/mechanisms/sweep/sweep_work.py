@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from array import array
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, nullcontext
@@ -26,6 +27,7 @@ from gspot_verified.mechanisms.sweep.sweep_findings import equations
 from gspot_verified.mechanisms.sweep.sweep_grid import Grid, GridCells
 from gspot_verified.mechanisms.sweep.sweep_links import groups_in_a_row
 from gspot_verified.mechanisms.sweep.sweep_piece import SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_pieces import Block, packed
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, read_choice
 from gspot_verified.mechanisms.zeros.tube import Equations
 from gspot_verified.numbers.balls import working_bits
@@ -33,6 +35,7 @@ from gspot_verified.work.journal_file import JournalFile
 from gspot_verified.work.kept_portions import kept_results
 
 _PORTION = 32  # cells of one task, and of one line of the journal
+_MANY, _LONGEST = 4_096, 8  # of so many cells it has twice as many, and so on, up to eight times as many
 _VERSION = 2  # of the journal's form, which its first line names
 
 Pieces = list[list[SweepPiece]]
@@ -97,42 +100,37 @@ def conditions(mechanism: Mechanism, parameters: tuple[str, ...], fixed: tuple[s
 
 
 def portions(cells: Sequence[Cell]) -> Iterator[Sequence[Cell]]:
-    """The cells in runs of a fixed length."""
-    return (cells[i : i + _PORTION] for i in range(0, len(cells), _PORTION))
+    """The cells in runs of a fixed length, longer ones where there are many cells."""
+    size = _PORTION * min(max(len(cells) // _MANY, 1), _LONGEST)
+    return (cells[i : i + size] for i in range(0, len(cells), size))
 
 
 class Answer(NamedTuple):
     """What a portion of cells gave: it pickles."""
 
-    pieces: Pieces
-    groups: list[int]
-    """For each piece, one after the other, a number: those with the same one hold the same spot, continued."""
+    block: Block
+    groups: array[int]
+    """For each piece, one after the other, a number from 0: those with the same one hold the same spot, continued."""
     digest: str = ""
     choices: str = ""
     """The tubes, as JSON."""
-
-    def by_cell(self) -> Iterator[tuple[list[SweepPiece], list[int]]]:
-        """The pieces of each cell and their groups, counted from the cell's first piece."""
-        start = 0
-        for pieces in self.pieces:
-            groups = self.groups[start : start + len(pieces)]
-            yield pieces, [groups.index(group) for group in groups]
-            start += len(pieces)
 
 
 def examine(question: Question, cells: Sequence[Cell], known: Choices | None = None, kept: bool = True) -> Answer:
     """The pieces of some cells, and their tubes as choices, of which ``known`` ones are tried first; it pickles, and so
     do its arguments and its answer. ``kept``: with what a journal keeps."""
     examination = Examination(question.equations(), question.digits)
-    pieces, choices = [], []
+    pieces, choices, boxes = [], [], []
     made = cells.located(question.conditions()) if isinstance(cells, GridCells) else cells
     for cell, tubes in zip_longest(made, (known or [])[: len(cells)], fillvalue=None):
         assert cell is not None
         pieces.append(examination.pieces(cell, tubes or ()))
         choices.append(examination.kept_tubes.met)
+        boxes.append((cell.lower, cell.upper))
     with working_bits(BITS):
         groups = groups_in_a_row(question.equations(), pieces)
-    return Answer(pieces, groups, digest(pieces), json.dumps(choices)) if kept else Answer(pieces, groups)
+    block = packed(pieces, boxes if isinstance(cells, GridCells) else ())
+    return Answer(block, groups, digest(pieces), json.dumps(choices)) if kept else Answer(block, groups)
 
 
 def proved_again(question: Question, cells: Sequence[Cell], line: str) -> Answer:

@@ -6,6 +6,8 @@ Page: proofs/sweep.md, sections 2 and 5.
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 from pathlib import Path
@@ -21,9 +23,10 @@ from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_division import Patchwork
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
 from gspot_verified.mechanisms.sweep.sweep_links import common_place
-from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord
+from gspot_verified.mechanisms.sweep.sweep_pieces import packed
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
-from gspot_verified.mechanisms.zeros.tube import Equations
+from gspot_verified.mechanisms.zeros.tube import Equations, Tube
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.work.executors import executor
@@ -40,23 +43,39 @@ def piece(left: int, right: int, low: int = 0, high: int = 4, kind: Kind = Kind.
     return SweepPiece((fmpq(left, 4), fmpq(low, 4)), (fmpq(right, 4), fmpq(high, 4)), kind)
 
 
-def patched(grid: Grid, pieces_by_cell: list[list[SweepPiece]]) -> Patchwork:
-    """Nothing is known to be linked."""
-    patchwork = Patchwork(grid)
-    patchwork.add_cells(pieces_by_cell, range(sum(map(len, pieces_by_cell))))
+PLACE, SPOT = (fmpq(0), fmpq(0)), [arb(0)]
+
+
+def patched(
+    grid: Grid, pieces_by_cell: list[list[SweepPiece]], place: tuple[fmpq, ...] = PLACE, groups: Sequence[int] = ()
+) -> Patchwork:
+    """ξ = k; cell by cell, or all together with the groups that are given."""
+    patchwork = Patchwork(grid, SQUARE, place, SPOT)
+    cells = [grid.ends(index) for index in grid.indices()]
+    with working_bits(80):
+        if groups:
+            patchwork.add_cells(packed(pieces_by_cell, cells), groups)
+        for cell, pieces in zip(cells, () if groups else pieces_by_cell, strict=False):
+            patchwork.add_cells(packed([pieces], [cell]), range(len(pieces)))
     return patchwork
+
+
+def replaced(patchwork: Patchwork, number: int, parts: list[SweepPiece]) -> None:
+    with working_bits(80):
+        patchwork.replace([number], packed([parts]), range(len(parts)))
 
 
 def touching(patchwork: Patchwork) -> set[tuple[int, int]]:
     there = patchwork.order()
-    assert all(number in patchwork.near[other] for number in there for other in patchwork.near[number])
-    assert all(len({*patchwork.near[number]}) == len(patchwork.near[number]) for number in there)
-    return {(one, other) for one, other in combinations(sorted(there), 2) if other in patchwork.near[one]}
+    near = {number: patchwork.touching(number) for number in there}
+    assert all(number in near[other] for number in there for other in near[number])
+    assert all(len({*near[number]}) == len(near[number]) for number in there)
+    return {(one, other) for one, other in combinations(sorted(there), 2) if other in near[one]}
 
 
 def test_a_piece_touches_those_with_a_side_in_common() -> None:
     patchwork = patched(MAP, [[piece(0, 4)], [piece(4, 8, 0, 2), piece(4, 8, 2, 4)]])
-    assert patchwork.order() == [0, 1, 2]
+    assert list(patchwork.order()) == [0, 1, 2]
     assert touching(patchwork) == {(0, 1), (0, 2), (1, 2)}
     diagonal = patched(MAP, [[piece(0, 4, 0, 2), piece(0, 4, 2, 4)], [piece(4, 8, 0, 2), piece(4, 8, 2, 4)]])
     assert touching(diagonal) == {(0, 1), (0, 2), (1, 3), (2, 3)}
@@ -65,48 +84,107 @@ def test_a_piece_touches_those_with_a_side_in_common() -> None:
 def test_parts_take_the_place_of_a_piece() -> None:
     """Two times, the second time a part that lies inside: neighbours and order are those of what is there."""
     patchwork = patched(MAP, [[piece(0, 4)], [piece(4, 8)]])
-    patchwork.replace(0, [piece(0, 2), piece(2, 4)], range(2))
-    assert patchwork.order() == [2, 3, 1]
+    replaced(patchwork, 0, [piece(0, 2), piece(2, 4)])
+    assert list(patchwork.order()) == [2, 3, 1]
     assert touching(patchwork) == {(2, 3), (1, 3)}
-    patchwork.replace(3, [piece(2, 4, 0, 1), piece(2, 4, 1, 4)], range(2))
-    assert [patchwork.pieces[number].lower for number in patchwork.order()] == [
+    replaced(patchwork, 3, [piece(2, 4, 0, 1), piece(2, 4, 1, 4)])
+    store, order = patchwork.store, patchwork.order()
+    assert [store[number].lower for number in order] == [
         (fmpq(0), fmpq(0)), (fmpq(1, 2), fmpq(0)), (fmpq(1, 2), fmpq(1, 4)), (fmpq(1), fmpq(0)),
     ]  # fmt: skip
-    pieces = patchwork.pieces
     expected = {
         (one, other)
-        for one, other in combinations(sorted(patchwork.order()), 2)
-        if common_place(pieces[one], pieces[other]) is not None
+        for one, other in combinations(sorted(order), 2)
+        if common_place(store.box(one), store.box(other)) is not None
     }
     assert touching(patchwork) == expected
 
 
-def test_a_group_of_one_batch_is_none_of_another() -> None:
+def root(left: int, right: int, low: int = 0, high: int = 4, spot: int = 0) -> SweepPiece:
+    """The same rectangle with a tube around ξ = k + spot."""
+    own = piece(left, right, low, high, Kind.SETTLED)
+    middle = (own.lower[0] + own.upper[0]) / 2
+    sides = tuple(arb(0, fmpq(1, 64)) for _ in range(2))
+    tube = Tube(*own.box, (arb(middle + spot),), ((arb(1), arb(0)),), sides[:1], (arb(0),))
+    return replace(own, record=TubeRecord.of(tube))
+
+
+def own(patchwork: Patchwork) -> list[int]:
+    held = patchwork.own()
+    return [number for number in patchwork.order() if held[number]]
+
+
+def test_the_spot_is_followed_through_pieces_that_hold_it() -> None:
+    """Within a cell, to the cell above and to the next; not to another spot, nor behind it, nor where none is known."""
+    assert own(patched(MAP, [[root(0, 4)], [root(4, 8)]])) == [0, 1]
+    assert own(patched(MAP, [[root(0, 4, spot=1)], [root(4, 8)]])) == []
+    assert own(patched(MAP, [[root(0, 4)], [root(4, 8, spot=1)]])) == [0]
+    assert own(patched(MAP, [[root(0, 4, 0, 2), piece(0, 4, 2, 4)], [root(4, 8)]])) == [0, 2]
+    assert own(
+        patched(
+            MAP,
+            [
+                [
+                    root(0, 4),
+                ],
+                [root(4, 6, spot=1), root(6, 8)],
+            ],
+        )
+    ) == [0]
+    assert own(patched(MAP, [[root(0, 4)], [root(4, 8)]], (fmpq(3, 2), fmpq(0)))) == []
+
+
+def test_the_spot_begins_in_every_cell_that_holds_the_place() -> None:
+    """k = 1 belongs to both, and so does ξ = 0 there to the second alone."""
+    assert own(patched(MAP, [[root(0, 4)], [root(4, 8, spot=-1)]], (fmpq(1), fmpq(0)))) == [1]
+    assert own(patched(MAP, [[root(0, 4, spot=-1)], [root(4, 8)]], (fmpq(1), fmpq(0)))) == [0]
+    assert own(patched(MAP, [[root(0, 4, spot=-1)], [root(4, 8)]], (fmpq(3, 4), fmpq(0)))) == []
+
+
+def test_a_group_is_taken_whole() -> None:
     """Pieces with one number hold one spot: those of another batch count from where it begins."""
-    patchwork = Patchwork(MAP)
-    patchwork.add_cells([[piece(0, 4, 0, 2), piece(0, 4, 2, 4)]], [0, 1])
-    patchwork.add_cells([[piece(4, 8, 0, 2), piece(4, 8, 2, 4)]], [1, 1])
-    patchwork.replace(1, [piece(0, 2, 2, 4), piece(2, 4, 2, 4)], [0, 1])
-    assert patchwork.groups == [0, 1, 3, 3, 4, 5]
+    both = [[root(0, 4)], [root(4, 8, spot=1)]]
+    assert own(patched(MAP, both, groups=[3, 3])) == [0, 1]
+    assert own(patched(MAP, both, groups=[0, 1])) == [0]
+    assert own(patched(MAP, both)) == [0]
 
 
-def asked(patchwork: Patchwork, own: set[int], place: tuple[fmpq, ...] = (fmpq(0), fmpq(0))) -> list[int]:
+def test_parts_are_linked_with_those_around() -> None:
+    """A piece without a tube keeps the spot from the next; a part of it leads there."""
+    patchwork = patched(MAP, [[root(0, 4, 0, 4)], [piece(4, 6), root(6, 8)]])
+    assert own(patchwork) == [0]
+    replaced(patchwork, 1, [piece(4, 6, 0, 3), root(4, 6, 3, 4)])
+    assert own(patchwork) == [0, 4, 2]
+    patchwork = patched(MAP, [[piece(0, 4)], [root(4, 8)]])
+    replaced(patchwork, 0, [root(0, 4)])
+    assert own(patchwork) == [2, 1]
+
+
+def asked(patchwork: Patchwork) -> list[int]:
     with working_bits(80):
-        return [number for number, _ in patchwork.divisible(own, SQUARE, place, [arb(0)])]
+        return [number for number, _ in patchwork.divisible()]
 
 
 def test_what_may_be_divided() -> None:
     """ξ = k on a map: at first the piece at the start; not again what did not fall into parts, nor what is tiny."""
     patchwork = patched(MAP, [[piece(0, 4)], [piece(4, 8)]])
-    assert asked(patchwork, set()) == [0]
-    assert asked(patchwork, set(), (fmpq(1), fmpq(1))) == [0, 1]
-    asked(patchwork, set())
-    patchwork.replace(0, [piece(0, 4)], range(1))
-    assert asked(patchwork, set()) == []
+    assert asked(patchwork) == [0]
+    replaced(patchwork, 0, [piece(0, 4)])
+    assert asked(patchwork) == []
+    assert asked(patched(MAP, [[piece(0, 4)], [piece(4, 8)]], (fmpq(1), fmpq(1)))) == [0, 1]
     tiny = SweepPiece((fmpq(0), fmpq(0)), (fmpq(1, 2**14), fmpq(1, 2)), Kind.NO_TUBE)
-    assert asked(patched(MAP, [[tiny], [piece(4, 8)]]), set()) == []
+    assert asked(patched(MAP, [[tiny], [piece(4, 8)]])) == []
     without = SweepPiece((fmpq(0),), (fmpq(1),), Kind.NO_TUBE)
-    assert asked(patched(LINE, [[without], []]), set(), (fmpq(0),)) == []
+    assert asked(patched(LINE, [[without], []], (fmpq(0),))) == []
+
+
+def test_beside_the_spot_there_is_hope() -> None:
+    """One cell further there is none."""
+    grid = Grid((Axis("k", fmpq(0), fmpq(3), 3), Axis("l", fmpq(0), fmpq(1), 1)))
+    patchwork = patched(grid, [[root(0, 4)], [piece(4, 8)], [piece(8, 12)]])
+    assert asked(patchwork) == [1]
+    open_piece = replace(root(0, 4), kind=Kind.OPEN)
+    assert asked(patched(grid, [[open_piece], [piece(4, 8)], [piece(8, 12)]])) == [0, 1]
 
 
 def area(result: Sweep) -> fmpq:

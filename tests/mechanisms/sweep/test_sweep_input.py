@@ -63,7 +63,7 @@ def test_where_a_sweep_begins(own: str | None, given: dict[str, str], place: str
 
 def test_one_digit_is_enough_and_folds_belong_to_one_axis(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[int] = []
-    monkeypatch.setattr(module, "with_folds", lambda *given: (asked.append(given[-1]), (given[2], []))[1])
+    monkeypatch.setattr(module, "with_folds", lambda *given: (asked.append(given[-1]), (given[3], []))[1])
     sweep(ROD, {"mu": "1.4..2:2"}, digits=1)
     assert asked == [1]
     sweep(ROD, {"mu": "1.4..2:1", "m": "1..2:1"})

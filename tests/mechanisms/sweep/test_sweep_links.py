@@ -11,7 +11,7 @@ from flint import arb, fmpq
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Variable
 from gspot_verified.mechanisms.sweep import sweep_links
-from gspot_verified.mechanisms.sweep.sweep_links import common_place, groups_in_a_row, linked, same_zero
+from gspot_verified.mechanisms.sweep.sweep_links import Groups, common_place, groups_in_a_row, same_zero
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, Tube
@@ -45,7 +45,7 @@ def box(corners: Corners) -> SweepPiece:
     ],
 )
 def test_where_two_pieces_meet(first: Corners, second: Corners, place: tuple[int | fmpq, ...] | None) -> None:
-    found = common_place(box(first), box(second))
+    found = common_place(box(first).box, box(second).box)
     assert found == (None if place is None else tuple(map(fmpq, place)))
 
 
@@ -60,65 +60,25 @@ def root(lower: int, upper: int, sign: int = 1) -> SweepPiece:
         return SweepPiece(low, high, Kind.SETTLED, record=TubeRecord.of(on.tube))
 
 
-def from_four(pieces: list[SweepPiece], around: dict[int, list[int]] | None = None, spot: int = 2) -> set[int]:
-    """The numbers of the pieces linked to the root ``spot`` at λ = 4."""
-    near = {i: [j for j in (i - 1, i + 1) if 0 <= j < len(pieces)] for i in range(len(pieces))}
-    with working_bits(80):
-        return linked(ROOT, pieces, (around or near).__getitem__, (fmpq(4),), [arb(spot)])
-
-
-def test_the_same_root_is_followed_to_both_sides() -> None:
-    line = [root(1, 2), root(2, 3), root(3, 5), root(5, 6), root(6, 7)]
-    assert from_four(line) == {0, 1, 2, 3, 4}
-    assert from_four([root(3, 5, -1)], spot=-2) == {0}
-
-
-def test_the_other_root_ends_it_also_where_the_first_goes_on_behind_it() -> None:
-    line = [root(1, 2), root(2, 3, -1), root(3, 5), root(5, 6), root(6, 7, -1)]
-    assert from_four(line) == {2, 3}
-    assert from_four(line, spot=-2) == set()
-
-
 def test_groups_are_those_that_hold_the_same_root() -> None:
-    """Cell after cell; beyond the next cell, and where there is no tube, nothing is said. The links are the same."""
+    """Cell after cell; beyond the next cell, and where there is no tube, nothing is said."""
     line = [root(1, 2), root(2, 3), root(3, 5, -1), root(5, 6, -1), box(((6,), (7,))), root(7, 8, -1)]
     with working_bits(80):
         groups = groups_in_a_row(ROOT, [[line[0], line[1]], [line[2]], [], [line[3]], [line[4], line[5]]])
-        assert len(set(groups)) == 5
-        assert groups[0] == groups[1]
-        assert groups_in_a_row(ROOT, [[each] for each in line[:4]])[2:] == [2, 2]
-        for spot in (2, -2):
-            near = [[j for j in (i - 1, i + 1) if 0 <= j < 4] for i in range(4)]
-            without, given = (
-                linked(ROOT, line[:4], near.__getitem__, (fmpq(4),), [arb(spot)], known)
-                for known in (None, groups_in_a_row(ROOT, [line[:2], line[2:4]]))
-            )
-            assert without == given == ({2, 3} if spot < 0 else set())
+        assert list(groups) == [0, 0, 1, 2, 3, 4]
+        assert list(groups_in_a_row(ROOT, [[each] for each in line])) == [0, 0, 1, 1, 2, 3]
+        assert list(groups_in_a_row(ROOT, [[root(3, 5), root(6, 7)], []])) == [0, 1]
 
 
-def test_a_group_is_taken_whole() -> None:
-    """What is known to hold the same zero is not asked again, also beyond a piece that is no neighbour."""
-    line = [root(3, 5), root(5, 6), root(6, 7)]
-    with working_bits(80):
-        assert linked(ROOT, line, lambda _: [], (fmpq(4),), [arb(2)], [7, 1, 7]) == {0, 2}
-
-
-def test_a_piece_without_a_tube_ends_it() -> None:
-    line = [root(1, 2), box(((2,), (3,))), root(3, 5), root(5, 6)]
-    assert from_four(line) == {2, 3}
-    assert from_four([box(((3,), (5,))), root(5, 6)]) == set()
-
-
-def test_pieces_that_do_not_meet_are_not_linked() -> None:
-    """Whatever is called a neighbour."""
-    line = [root(3, 5), root(6, 7)]
-    assert from_four(line, {0: [1], 1: [0]}) == {0}
-
-
-def test_a_piece_starts_it_only_where_it_holds_the_place() -> None:
-    """The tube over [5, 6] may hold 2 at λ = 4 when it is drawn on, but λ = 4 is not in its piece."""
-    wide = Tube((fmpq(5),), (fmpq(6),), (arb(2),), ((arb(0),),), (arb(0, 1),), (arb(0, 1),))
-    assert from_four([SweepPiece((fmpq(5),), (fmpq(6),), Kind.SETTLED, record=TubeRecord.of(wide))]) == set()
+def test_what_is_joined_stays_joined() -> None:
+    groups = Groups(2)
+    assert groups.add(3) == 2
+    groups.join(4, 2)
+    assert groups.with_first() == [True, False, False, False, False]
+    groups.join(1, 4)
+    groups.join(2, 0)
+    assert groups.with_first() == [True, True, True, False, True]
+    assert [groups.of(number) for number in range(5)] == [0, 0, 0, 3, 0]
 
 
 def level(radius: str, found: str) -> Tube:

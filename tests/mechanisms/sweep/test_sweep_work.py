@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from array import array
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
@@ -20,6 +21,7 @@ from gspot_verified.mechanisms.sweep import sweep_work
 from gspot_verified.mechanisms.sweep.sweep_cell import Cell
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.sweep.sweep_work import (
     Answer,
     Question,
@@ -40,13 +42,16 @@ def test_portions_hold_every_cell_in_order() -> None:
     assert [len(portion) for portion in WORK] == [32, 32, 6]
     assert [cell for portion in WORK for cell in portion] == CELLS
     assert list(portions([])) == []
+    assert [len(portion) for portion in portions(CELLS[:1] * 9_000)] == [64] * 140 + [40]
+    assert {len(portion) for portion in portions(CELLS[:1] * 2**16)} == {256}
     assert QUESTION.parameters == ("k",)
 
 
 def test_cells_without_a_place_have_no_tube() -> None:
     pieces = [[SweepPiece(cell.lower, cell.upper, Kind.NO_TUBE)] for cell in CELLS[:2]]
-    assert examine(QUESTION, CELLS[:2]) == Answer(pieces, [0, 1], digest(pieces), "[[], []]")
-    assert examine(QUESTION, CELLS[:2], kept=False) == Answer(pieces, [0, 1])
+    groups = array("I", [0, 1])
+    assert examine(QUESTION, CELLS[:2]) == Answer(packed(pieces), groups, digest(pieces), "[[], []]")
+    assert examine(QUESTION, CELLS[:2], kept=False) == Answer(packed(pieces), groups)
 
 
 def test_the_journal_s_first_line_tells_mechanisms_apart() -> None:
@@ -70,14 +75,16 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         if known is None:
             calls.append(len(cells))
         pieces = [[SweepPiece(cell.lower, cell.upper, Kind.OPEN, unsure=("beta - 2",))] for cell in cells]
-        return Answer(pieces, [*range(len(cells))], digest(pieces), json.dumps([[None] for _ in cells]))
+        groups = array("I", range(len(cells)))
+        return Answer(packed(pieces), groups, digest(pieces), json.dumps([[None] for _ in cells]))
 
     monkeypatch.setattr(sweep_work, "examine", own)
     return calls
 
 
 def flat(found: list[Answer]) -> list[tuple[fmpq, ...]]:
-    return [piece.lower for portion in found for cell in portion.pieces for piece in cell]
+    store = PieceStore(QUESTION.grid)
+    return [store[number].lower for portion in found for number in store.add(portion.block)]
 
 
 @pytest.mark.parametrize("threads", [False, True])

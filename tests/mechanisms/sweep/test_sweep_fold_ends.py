@@ -13,11 +13,12 @@ from flint import arb, fmpq
 from samples.families import family
 
 from gspot_verified.mechanisms.spots.parametric_system import parametric_system
-from gspot_verified.mechanisms.sweep import sweep_ends
-from gspot_verified.mechanisms.sweep.sweep_ends import with_folds, without_gaps
+from gspot_verified.mechanisms.sweep import sweep_fold
 from gspot_verified.mechanisms.sweep.sweep_findings import equations
-from gspot_verified.mechanisms.sweep.sweep_fold import Fold
+from gspot_verified.mechanisms.sweep.sweep_fold import Fold, with_folds, without_gaps
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord
+from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.zeros.tube import Tube
 from gspot_verified.numbers.dyadic import Dyadic
 
@@ -37,6 +38,19 @@ LINE = [
 ]  # fmt: skip
 
 
+def stored(line: list[SweepPiece]) -> PieceStore:
+    store = PieceStore(Grid((Axis("k", fmpq(-1), fmpq(7), 1),)))
+    store.add(packed([line]))
+    return store
+
+
+def folded(line: list[SweepPiece], own: list[int]) -> tuple[list[SweepPiece], list[Fold]]:
+    store = stored(line)
+    mine = [number in own for number in range(len(line))]
+    order, folds = with_folds(SYSTEM, equations(SYSTEM), store, range(len(line)), mine, 7)
+    return [store[number] for number in order], folds
+
+
 def after(folds: dict[int, Fold], own: list[int], monkeypatch: pytest.MonkeyPatch) -> tuple[Plain, list[Fold]]:
     """The line's pieces when behind these ends there are these folds; which tube is asked for is checked."""
 
@@ -46,8 +60,8 @@ def after(folds: dict[int, Fold], own: list[int], monkeypatch: pytest.MonkeyPatc
         assert tube.lower[0] == LINE[min(own) if end == LINE[min(own)].lower[0] else max(own)].lower[0]
         return folds.get(int(end.p))
 
-    monkeypatch.setattr(sweep_ends, "fold_next_to", given)
-    pieces, found = with_folds(SYSTEM, equations(SYSTEM), LINE, own, 7)
+    monkeypatch.setattr(sweep_fold, "fold_next_to", given)
+    pieces, found = folded(LINE, own)
     return [(one.lower[0], one.upper[0], one.kind) for one in pieces], found
 
 
@@ -104,21 +118,22 @@ def test_a_fold_at_an_end_of_the_range_leaves_no_piece_behind_it(
 
 @pytest.mark.parametrize("opens", [1, -1])
 def test_an_end_of_the_line_has_nothing_behind_it(opens: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sweep_ends, "fold_next_to", lambda *_: fold(6, 7, opens, 2))
+    monkeypatch.setattr(sweep_fold, "fold_next_to", lambda *_: fold(6, 7, opens, 2))
     line = [piece(0, 1), piece(1, 2)]
-    assert with_folds(SYSTEM, equations(SYSTEM), line, [0, 1], 7) == (line, [])
+    assert folded(line, [0, 1]) == (line, [])
 
 
 def test_a_piece_without_a_tube_has_no_fold_next_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sweep_ends, "fold_next_to", lambda *_: fold(6, 7, 1, 2))
+    monkeypatch.setattr(sweep_fold, "fold_next_to", lambda *_: fold(6, 7, 1, 2))
     line = [piece(0, 1), piece(1, 2, Kind.NO_TUBE), piece(2, 3)]
-    assert with_folds(SYSTEM, equations(SYSTEM), line, [1], 7) == (line, [])
+    assert folded(line, [1]) == (line, [])
 
 
 def test_neighbours_without_a_tube_are_one_piece() -> None:
     none, settled = Kind.NO_TUBE, Kind.SETTLED
     kinds = [settled, none, none, none, Kind.OPEN, Kind.OPEN, none, none, settled, settled, none]
-    found = without_gaps([piece(i, i + 1, kind) for i, kind in enumerate(kinds)])
+    store = stored([piece(i, i + 1, kind) for i, kind in enumerate(kinds)])
+    found = [store[number] for number in without_gaps(store, range(len(kinds)))]
     assert [(one.lower[0], one.upper[0], one.kind) for one in found] == [
         (0, 1, settled), (1, 4, none), (4, 5, Kind.OPEN), (5, 6, Kind.OPEN), (6, 8, none), (8, 9, settled),
         (9, 10, settled), (10, 11, none),
