@@ -1,7 +1,8 @@
 (** * What boxes and the steps of the checker rest on: definitions and statements
 
     This file holds no proof; it is read after [Statement.v], whose words it uses. Each statement is proved in
-    [Theorems.v] under the same name. The pages are proofs/check.md, sections 2 to 4, and proofs/box.md. *)
+    [Theorems.v] under the same name. The pages are proofs/check.md, sections 2 to 4, proofs/box.md and
+    proofs/majorant.md. *)
 
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
@@ -29,6 +30,12 @@ Definition derivative_tail : Prop := forall b X B (c : nat -> R) (d K N : nat), 
   let y := INR (K - d) in
   let q := (y + INR d + B) * X ^ 3 / ((y + 1) * (y + 2) * (y + 3)) in
   q < 1 -> sum_first (fun i => v (K + i)%nat) N <= (v K + v (K + 1)%nat + v (K + 2)%nat) / (1 - q).
+
+(** A bound on a whole interval of t and of b, by one value of Theta(., -B) (proofs/majorant.md, real t). M bounds three
+    quotients at 0. *)
+Definition majorant : Prop := forall b B M X t theta large, is_Theta_entire b theta -> is_Theta_entire (- B) large ->
+  Rabs b <= B -> (forall k, (k < 3)%nat -> Rabs (Derive_n theta k 0) <= M * Derive_n large k 0) -> Rabs t <= X ->
+  Rabs (theta t) <= M * large X.
 
 (** ** Taylor models on boxes: b = b0 + r eta, t = t0 + s u, |eta| <= 1, |u| <= 1 (proofs/box.md) *)
 

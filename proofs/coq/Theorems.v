@@ -17,7 +17,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns DipSound.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep
-  ValidatedStep StatementForce ForceRuns StatementRun RunRuns.
+  ValidatedStep StatementForce ForceRuns StatementRun RunRuns Majorant.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate
   StatementChecker.
 Import ListNotations.
@@ -122,6 +122,9 @@ Qed.
 Theorem derivative_tail : StatementModels.derivative_tail.
 Proof. intros b X B c d K N HX HB Hb HK Hc v y q Hq.
 exact (DerivativeTail.derivative_tail b X B c d HX HB Hb Hc K N HK Hq). Qed.
+
+Theorem majorant : StatementModels.majorant.
+Proof. exact Majorant.majorant. Qed.
 
 (** ** Impact without collision at leading order *)
 
