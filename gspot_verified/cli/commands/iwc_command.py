@@ -136,13 +136,15 @@ def verdict(
 ) -> None:
     """Lift-off or impact, for every small ε at once. From a state far from the G-spot.
 
-    Of a mechanism, from a state: there is an ε0 > 0, which is not computed. With --beta and --from: the model system
+    Of a mechanism, from a state: there is an ε0 > 0. It is computed where α1, α2, α3 are affine in p and b, which are
+    components, and the state is near enough to the G-spot. With --beta and --from: the model system
     (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of Case III with this β; ε0
     is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is printed then.
     """
     from gspot_verified.cli.load import components
     from gspot_verified.expansion.from_state.limit_side import LimitSide, limit_side
     from gspot_verified.expansion.from_state.model_side import ModelSide, model_side
+    from gspot_verified.mechanisms.approach.affine_motion import with_explicit
     from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
 
     if (name is None) == (beta is None):
@@ -156,9 +158,9 @@ def verdict(
     if name is not None:
         if state is None:
             raise ValueError("--from: a mechanism needs a state, as in `approach`")
-        found = mechanism_side(
-            load_with_settings(name, settings), components(state), surface_velocity=surface, spot=spot
-        )
+        mechanism, given = load_with_settings(name, settings), components(state)
+        found = mechanism_side(mechanism, given, surface_velocity=surface, spot=spot)
+        found = with_explicit(found, mechanism, given)
     elif state is None:
         for option, value in of_model.items():
             if value is not None:

@@ -17,7 +17,8 @@ from gspot_verified.numbers.balls import ball
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
-Monomials = dict[tuple[int, int], arb]
+Exponents = tuple[int | fmpq, int | fmpq]
+Monomials = dict[Exponents, arb]
 """Upper bounds of the coefficients of h^i r^n."""
 _ROOM = fmpq(1, 4)
 """A source is paid at once when its own growth is larger than the rate by so much: any number from 0 on is right."""
@@ -123,7 +124,7 @@ def start_bound(series: SlowSeries, p: fmpq, e: fmpq, within: fmpq) -> arb:
     lengths = (ball(contact.kappa).sqrt(), arb(1), root * ball(contact.rate) / ball(contact.lag).sqrt())
     total = 3 * ball(within)
     for length, polynomial in zip(lengths, (series.v / R, series.w, series.f), strict=True):
-        sizes = {key: ball(abs(value)) for key, value in terms_of(polynomial).items()}
+        sizes: Monomials = {key: ball(abs(value)) for key, value in terms_of(polynomial).items()}
         total += length * value_of(sizes, h, root)
     return total.upper()
 
@@ -139,21 +140,21 @@ def source(series: SlowSeries) -> Monomials:
     return total
 
 
-def paid(source: Mapping[tuple[int, int], arb], rate: arb, damping: fmpq) -> Monomials | str:
+def paid(source: Mapping[Exponents, arb], rate: arb, damping: fmpq | arb) -> Monomials | str:
     """Z of (9), or the monomial that cannot be paid."""
     total: Monomials = {}
 
-    def add(key: tuple[int, int], value: arb) -> None:
+    def add(key: Exponents, value: arb) -> None:
         total[key] = (total.get(key, arb(0)) + value).upper()
 
     for (first, second), value in source.items():
         i, n, rest = first, second, value
         while True:
-            own = fmpq(3 * i - n, 2)
-            if own > rate + _ROOM or (n == 0 and own > rate):
+            own = fmpq(3 * i - n) / 2
+            if own > rate + _ROOM or (n < 1 and own > rate):
                 add((i, n), rest / (own - rate))
                 break
-            if n == 0:
+            if n < 1:
                 return f"the source h^{first} r^{second} is not paid: at h^{i} the growth {own} is below {_shown(rate)}"
             i, n, rest, own = i + 1, n - 1, (rest / damping).upper(), own + 2
             add((i, n), rest)
@@ -163,14 +164,14 @@ def paid(source: Mapping[tuple[int, int], arb], rate: arb, damping: fmpq) -> Mon
     return total
 
 
-def layer(start: Start, h: arb, rate: arb, damping: fmpq) -> arb:
+def layer(start: Start, h: arb, rate: arb, damping: fmpq | arb) -> arb:
     """I at this h for e = ``start.e``, (10); it falls with e when a condition of Theorem B holds."""
     last = place_of(start, h)
     decay = ball(damping) * (ball(start.p) ** 2 - last**2) / (2 * ball(start.e))
     return (start.z * ((ball(start.p) / last).log() * rate - decay).exp()).upper()
 
 
-def layer_integral(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq) -> arb:
+def layer_integral(start: Start, rectangle: Rectangle, rate: arb, damping: fmpq | arb) -> arb:
     """The integral of I dp/p from p_1 to h = ``rectangle.h``, for every e up to ``start.e``, (11); not finite where
     the page's conditions are not certain."""
     last = place_of(start, ball(rectangle.h))
@@ -188,13 +189,27 @@ def place_of(start: Start, h: arb) -> arb:
 
 def extent(polynomial: fmpq_mpoly, rectangle: Rectangle, sign: int) -> arb:
     """sup of max(sign times the polynomial, 0) on the rectangle, from above, term by term."""
-    terms = {key: ball(sign * value) for key, value in terms_of(polynomial).items() if sign * value > 0}
+    terms: Monomials = {key: ball(sign * value) for key, value in terms_of(polynomial).items() if sign * value > 0}
     return value_of(terms, ball(rectangle.h), ball(rectangle.r))
 
 
-def value_of(terms: Mapping[tuple[int, int], arb], h: arb, r: arb) -> arb:
+def value_of(terms: Mapping[Exponents, arb], h: arb, r: arb) -> arb:
     """The sum of A h^i r^n."""
     return sum((value * h**i * r**n for (i, n), value in terms.items()), arb(0)).upper()
+
+
+def added(total: Monomials, more: Mapping[Exponents, arb], factor: arb | fmpq | int) -> None:
+    """``factor`` times ``more`` is added to ``total``."""
+    for key, value in more.items():
+        total[key] = (total.get(key, arb(0)) + value * factor).upper()
+
+
+def times(first: Mapping[Exponents, arb], second: Mapping[Exponents, arb]) -> Monomials:
+    """The product of two sums of monomials."""
+    total: Monomials = {}
+    for (i, n), value in first.items():
+        added(total, {(i + j, n + m): value * other for (j, m), other in second.items()}, 1)
+    return total
 
 
 def _shown(value: arb) -> str:

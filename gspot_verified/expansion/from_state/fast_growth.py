@@ -79,12 +79,13 @@ class Growth:
 
 def fast_matrix(series: SlowSeries) -> Matrix:
     """B of (4): x' = B x + L (residual)."""
-    contact, beta = series.contact, series.beta
-    rest = -fmpq(1, 2) * H * R
+    contact, slopes, square = series.contact, series.slopes, R * R
+    rest = -fmpq(1, 2) * H * R * (1 + slopes.fall * square)
+    back, turn = series.beta + slopes.back * square, series.beta - 1 + slopes.turn * square
     return [
-        [rest, R + beta * H * series.v, RING.constant(0)],
-        [-contact.kappa * R, H * R * (beta - 1 + beta * series.w), -contact.rate * R],
-        [RING.constant(0), contact.lag / contact.rate * R + beta * H * R * R * series.f, rest - contact.rate],
+        [rest, R + back * H * series.v, RING.constant(0)],
+        [-contact.kappa * R, H * R * (turn + back * series.w), -contact.rate * R],
+        [RING.constant(0), contact.lag / contact.rate * R + back * H * square * series.f, rest - contact.rate],
     ]
 
 
@@ -96,7 +97,8 @@ def surplus(norm: Norm, rate: fmpq, damping: fmpq) -> Matrix:
         [sum((gram[i][k] * field[k][j] for k in range(3)), RING.constant(0)) for j in range(3)] for i in range(3)
     ]
     return [
-        [factor * gram[i][j] - product[i][j] - product[j][i] - change(gram[i][j]) for j in range(3)] for i in range(3)
+        [factor * gram[i][j] - product[i][j] - product[j][i] - change(gram[i][j], norm.series.slopes) for j in range(3)]
+        for i in range(3)
     ]
 
 

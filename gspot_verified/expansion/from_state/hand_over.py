@@ -40,31 +40,64 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
     if not (rate * place**3 * tube.rectangle.h**2 >= 1 and rate * equations.exact_delta**3 <= tube.start.e):
         raise ValueError("the tube ends before the hand-over")
     a, far = ball(rate), ball(place)
-    h = (1 / (a * far**3)).sqrt()
-    root = (a * far).sqrt()
-    r = root * equations.small
+    h, r = (1 / (a * far**3)).sqrt(), (a * far).sqrt() * equations.small
+    z = tube.bound(h, r.upper())
+    return framed(equations, series, tube.shares, z, c_1 * carried(tube, series, h, r).exp(), a * far)
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Reference of the tube minus polynomials of Theorem 1, over delta^mu: of b, y, v, phi, and bounds of what state
+    components differ by besides."""
+
+    b: arb
+    y: arb
+    v: arb
+    fast: arb
+    state: tuple[arb, arb, arb, arb]
+
+
+_NOTHING = Beside(arb(0), arb(0), arb(0), arb(0), (arb(0), arb(0), arb(0), arb(0)))
+
+
+def framed(
+    equations: DeviationEquations,
+    series: SlowSeries,
+    shares: tuple[arb, arb, arb],
+    z: arb,
+    coefficient: arb,
+    scaled: arb,
+    beside: Beside = _NOTHING,
+) -> HandOver:
+    """The set (13), or (17), where p = ``scaled`` delta^2 and C is in the ball ``coefficient``."""
+    root = scaled.sqrt()
+    h, r = -equations.alpha_1 / (root * scaled), root * equations.small
     last = r.upper()
-    z = tube.bound(h, last)
-    coefficient = c_1 * carried(tube, series, h, r).exp()
-    size = -coefficient * (a * far) ** ball(series.beta - 1)  # L delta^-mu
-    first, second, third = (share * z for share in tube.shares)
+    size = -coefficient * scaled ** ball(series.beta - 1)  # L delta^-mu
+    first, second, third = (share * z for share in shares)
     v, w, f = (evaluated(one, h, r) for one in (series.v, series.w, series.f))
     lag, kappa = equations.lag / equations.rate, equations.kappa
-    slow_b, slow_y = -a * far, (r * r * f - lag * v - 1 - w) / kappa
+    slow_b, slow_y = -scaled, (r * r * f - lag * v - 1 - w) / kappa
     slow_v = root * evaluated(series.v / R, h, r)
     spread_y, spread_v = (second + (third + lag * first) * last) / kappa, first * root
-    fast = abs(size) * (abs(r * r * f) + third * last)
+    fast = abs(size) * (abs(r * r * f) + third * last) + abs(beside.fast)
 
     column, radii = [arb(0)] * equations.size, [arb(0)] * equations.size
     column[equations.b] = (size.mid() * slow_b).mid()
-    for i, slow, spread in ((equations.y, slow_y, spread_y), (equations.v, slow_v, spread_v)):
+    shift = abs(beside.b / column[equations.b])
+    for i, slow, spread, more in (
+        (equations.y, slow_y, spread_y, beside.y),
+        (equations.v, slow_v, spread_v, beside.v),
+    ):
         column[i] = (size.mid() * slow).mid()
-        beside = slow - slow_b * column[i] / column[equations.b]
-        radii[i] = (abs(size) * (beside.abs_upper() + spread)).upper()
+        beyond = slow - slow_b * column[i] / column[equations.b]
+        radii[i] = (abs(size) * (beyond.abs_upper() + spread) + abs(more) + shift * abs(column[i])).upper()
     column[_B], square = column[equations.b], equations.delta**2
-    radii[_Y] = (abs(size) * (abs(slow_y) + spread_y) * square**2).upper()
-    radii[_V] = (abs(size) * (abs(slow_v) + spread_v) * square).upper()
-    radii[equations.b] = (size * slow_b / column[equations.b] - 1).abs_upper()
+    radii[_Y] = ((abs(size) * (abs(slow_y) + spread_y) + abs(beside.y)) * square**2).upper()
+    radii[_V] = ((abs(size) * (abs(slow_v) + spread_v) + abs(beside.v)) * square).upper()
+    radii[equations.b] = (abs(size * slow_b / column[equations.b] - 1) + shift).upper()
+    for i, more in zip((_P, _B, _Y, _V), beside.state, strict=True):
+        radii[i] = (radii[i] + abs(more)).upper()
     frame = identity(equations.size)
     for i, value in enumerate(column):
         frame[i, equations.b] = value
@@ -72,7 +105,7 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
     return HandOver(frame, centre, tuple(radii), fast.abs_upper(), coefficient, z)
 
 
-_B, _Y, _V = 1, 2, 3  # the components b, y, v of the model system's state
+_P, _B, _Y, _V = range(4)  # the components of the state (p, b, y, v)
 
 
 def carried(tube: Tube, series: SlowSeries, h: arb, r: arb) -> arb:

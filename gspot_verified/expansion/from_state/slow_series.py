@@ -1,7 +1,7 @@
 """The slow part of the deviation of the model system, by polynomials in h = e/p^(3/2) and r = sqrt(p).
 
-Proof page: ``proofs/from_state.md``, section 2. Exact rationals. The names v, w, f are those of the page: H_V = v,
-H_W = r^2 w, H_phi = r^2 f.
+Proof page: ``proofs/from_state.md``, section 2, and section 8 for slopes. Exact rationals. The names v, w, f are those
+of the page: H_V = v, H_W = r^2 w, H_phi = r^2 f.
 """
 
 from __future__ import annotations
@@ -51,6 +51,23 @@ def contact_text(springs: Regularisation) -> str:
     return f"(k_1 epsilon^2, k_2 epsilon^2, c epsilon) = ({springs.k_1}, {springs.k_2}, {springs.c})"
 
 
+_ZERO = fmpq(0)  # of a slope that is not given
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """What is of first order in p: p' = -h r (1 + ``fall`` p) p, and h r p ``force`` L, h r ``back`` W, h r ``turn`` W
+    in -L', -L', W'; section 8. All 0: the model system."""
+
+    fall: fmpq = _ZERO
+    force: fmpq = _ZERO
+    back: fmpq = _ZERO
+    turn: fmpq = _ZERO
+
+
+LEVEL = Slopes()
+
+
 @dataclass(frozen=True)
 class SlowSeries:
     """v, w, f, and the residual divided by e L: (r r_V, r_W, r r_phi)/e, as polynomials in (h, r)."""
@@ -61,9 +78,10 @@ class SlowSeries:
     w: fmpq_mpoly
     f: fmpq_mpoly
     residual: tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]
+    slopes: Slopes = LEVEL
 
 
-def slow_series(beta: fmpq, contact: Contact, order: int) -> SlowSeries:
+def slow_series(beta: fmpq, contact: Contact, order: int, slopes: Slopes = LEVEL) -> SlowSeries:
     """The polynomials up to h^order; section 2, (3).
 
     :raises ValueError: the order is not positive.
@@ -75,20 +93,21 @@ def slow_series(beta: fmpq, contact: Contact, order: int) -> SlowSeries:
     if not order > 0:
         raise ValueError(f"the order must be positive, got {order}")
     kappa, rate, lag = contact.kappa, contact.rate, contact.lag
+    rules = _Rules(beta, contact, slopes)
     v = w = f = 0 * H
     while True:
-        v_next = _cut(_force(beta, contact, w, f) / kappa, order)
-        w_next = _cut(_exact_quotient(_along(v_next, beta, w), R * R), order)
-        f_next = _cut((lag / rate * w_next - _along_square(f, beta, w)) / rate, order)
+        v_next = _cut(rules.force(w, f) / kappa, order)
+        w_next = _cut(_exact_quotient(rules.along(v_next, w), R * R), order)
+        f_next = _cut((lag / rate * w_next - rules.along_square(f, w)) / rate, order)
         if (v_next, w_next, f_next) == (v, w, f):
             break
         v, w, f = v_next, w_next, f_next
     residual = (
-        _exact_quotient(w - _exact_quotient(_along(v, beta, w), R * R), H),
-        _exact_quotient(_force(beta, contact, w, f) - kappa * v, H * R),
-        _exact_quotient(lag / rate * w - rate * f - _along_square(f, beta, w), H),
+        _exact_quotient(w - _exact_quotient(rules.along(v, w), R * R), H),
+        _exact_quotient(rules.force(w, f) - kappa * v, H * R),
+        _exact_quotient(lag / rate * w - rate * f - rules.along_square(f, w), H),
     )
-    return SlowSeries(beta, contact, v, w, f, residual)
+    return SlowSeries(beta, contact, v, w, f, residual, slopes)
 
 
 def terms_of(polynomial: fmpq_mpoly) -> dict[tuple[int, int], fmpq]:
@@ -96,24 +115,33 @@ def terms_of(polynomial: fmpq_mpoly) -> dict[tuple[int, int], fmpq]:
     return {(int(i), int(n)): value for (i, n), value in polynomial.to_dict().items()}
 
 
-def change(polynomial: fmpq_mpoly) -> fmpq_mpoly:
-    """d/dT: h' = (3/2) h^2 r, r' = -(1/2) h r^2."""
-    return fmpq(3, 2) * H * H * R * polynomial.derivative(0) - fmpq(1, 2) * H * R * R * polynomial.derivative(1)
+def change(polynomial: fmpq_mpoly, slopes: Slopes = LEVEL) -> fmpq_mpoly:
+    """d/dT: h' = (3/2) h^2 r, r' = -(1/2) h r^2, times 1 + fall p."""
+    level = fmpq(3, 2) * H * H * R * polynomial.derivative(0) - fmpq(1, 2) * H * R * R * polynomial.derivative(1)
+    return (1 + slopes.fall * R * R) * level
 
 
-def _along(polynomial: fmpq_mpoly, beta: fmpq, w: fmpq_mpoly) -> fmpq_mpoly:
-    """D: the change of polynomial * L over L, on the slow solution."""
-    return change(polynomial) - H * R * ((beta - 1) + beta * w) * polynomial
+@dataclass(frozen=True)
+class _Rules:
+    """How polynomials times L change on the slow solution."""
 
+    beta: fmpq
+    contact: Contact
+    slopes: Slopes
 
-def _along_square(polynomial: fmpq_mpoly, beta: fmpq, w: fmpq_mpoly) -> fmpq_mpoly:
-    """r^-2 D(r^2 polynomial)."""
-    return _along(polynomial, beta, w) - H * R * polynomial
+    def along(self, polynomial: fmpq_mpoly, w: fmpq_mpoly) -> fmpq_mpoly:
+        """D: the change of polynomial * L over L, on the slow solution."""
+        fall = (self.beta - 1) + self.slopes.force * R * R + (self.beta + self.slopes.back * R * R) * w
+        return change(polynomial, self.slopes) - H * R * fall * polynomial
 
+    def along_square(self, polynomial: fmpq_mpoly, w: fmpq_mpoly) -> fmpq_mpoly:
+        """r^-2 D(r^2 polynomial)."""
+        return self.along(polynomial, w) - H * R * (1 + self.slopes.fall * R * R) * polynomial
 
-def _force(beta: fmpq, contact: Contact, w: fmpq_mpoly, f: fmpq_mpoly) -> fmpq_mpoly:
-    """[e (beta-1)(1 + w) - g p H_phi - D H_W]/r^2: what kappa v balances."""
-    return H * R * (beta - 1) * (1 + w) - contact.rate * R * R * f - _along_square(w, beta, w)
+    def force(self, w: fmpq_mpoly, f: fmpq_mpoly) -> fmpq_mpoly:
+        """[e (beta-1)(1 + w) - g p H_phi - D H_W]/r^2: what kappa v balances."""
+        driven = self.beta - 1 + self.slopes.force * R * R + (self.beta - 1 + self.slopes.turn * R * R) * w
+        return H * R * driven - self.contact.rate * R * R * f - self.along_square(w, w)
 
 
 def _cut(polynomial: fmpq_mpoly, order: int) -> fmpq_mpoly:

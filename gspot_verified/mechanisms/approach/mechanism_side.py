@@ -12,6 +12,7 @@ from typing import ClassVar
 
 from flint import arb, arb_mat
 
+from gspot_verified.expansion.from_state.affine_side import AffineSide
 from gspot_verified.expansion.from_state.limit_side import OTHER, rule_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
 from gspot_verified.mechanisms.approach.approach import MAX_STEPS, approach
@@ -37,10 +38,11 @@ class MechanismSide(NoTruthValue, Written):
     ``verdict.detail`` says what is not certain. "For small epsilon": there is an epsilon_0 > 0, in an impact for every
     force; it is not computed, and nothing is said of any one epsilon.
     ``approach`` is what was proved for rigid slip, ``active`` names the components on which the contact depends.
+    ``explicit``, where it was asked for and the alphas are affine in p and b: an epsilon_0 for a stated set of starts.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
-    written: ClassVar[str] = "side active verdict " + under(
+    written: ClassVar[str] = "side active verdict explicit " + under(
         "approach",
         "name start solved end place case alphas beta C1=coefficient surface_velocity least_slip notes warnings bits",
     )
@@ -49,6 +51,7 @@ class MechanismSide(NoTruthValue, Written):
     active: tuple[str, ...]
     side: str | None
     verdict: Verdict
+    explicit: AffineSide | None = None
 
     def __str__(self) -> str:
         found = self.approach
@@ -61,6 +64,8 @@ class MechanismSide(NoTruthValue, Written):
             lines.append(f"  C_1 = {ball_text(found.coefficient)}")
         if self.side is not None:
             lines.append("  rests on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed")
+        if self.explicit is not None:
+            lines.append(f"  for an explicit epsilon_0 (proofs/from_state.md, section 8): {self.explicit}")
         return "\n".join([*lines, *(f"  {line}" for line in (*found.notes, *found.warnings))])
 
 

@@ -1,0 +1,202 @@
+"""From a state near a G-spot to lift-off or impact, for every epsilon up to epsilon_0: alpha_i affine in p and b.
+
+Proof page: ``proofs/from_state.md``, the theorem of section 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+from flint import fmpq
+
+from gspot_verified.expansion.from_state.affine_hand_over import affine_hand_over
+from gspot_verified.expansion.from_state.affine_system import AffineSystem
+from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, affine_tube
+from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan, affine_plans, reach_for
+from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth
+from gspot_verified.expansion.from_state.hand_over import HandOver
+from gspot_verified.expansion.from_state.passage import checked_ratio, rounded_up
+from gspot_verified.expansion.from_state.slow_series import Contact, contact_text, slow_series
+from gspot_verified.expansion.trajectory import expand_system
+from gspot_verified.expansion.true_solutions.bound import BITS, rational
+from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges, smallest
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations, Residuals
+from gspot_verified.expansion.true_solutions.side import end_of_track
+from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end, joined, proved_so_far
+from gspot_verified.expansion.true_solutions.track import track
+from gspot_verified.numbers.balls import ExactInput, ball, ball_text, working_bits
+from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.written import Written
+
+_ORDER = 10  # of the expansion
+_RATIO = fmpq(3, 2)  # nu: how far C_1 may move on the way; any number above 1 is right
+_BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
+
+
+@dataclass(frozen=True)
+class AffineSide(NoTruthValue, Written):
+    """What becomes of all starts in a stated set, for every epsilon in (0, ``epsilon``] at once; affine alpha_i.
+
+    ``side``: "lift-off" (lambda_N > 0 until p < 0, later it reaches 0), "impact" (lambda_N > 0 until it exceeds a
+    stated force, with p < 0), or None: undecided, and ``verdict.detail`` says which inequality is not certain. Slip is
+    assumed to stay positive.
+    """
+
+    ask: ClassVar[str] = ASK_VERDICT
+    written: ClassVar[str] = "p=start.p b=start.b within=start.within epsilon side verdict"
+
+    start: AffineStart
+    epsilon: fmpq
+    side: str | None
+    verdict: Verdict
+
+    def __str__(self) -> str:
+        return str(self.verdict)
+
+
+def affine_side(
+    system: AffineSystem,
+    p: ExactInput,
+    b: ExactInput,
+    *,
+    within: ExactInput = "1/100",
+    force: ExactInput = 10,
+) -> AffineSide:
+    """Whether the system lifts off or takes an impact without collision, for every epsilon up to one at once.
+
+    The arguments are those of :func:`model_side`; the state (p, b) must lie near the G-spot. Ranges of epsilon are
+    followed as far as they are proved.
+
+    :raises ValueError: beta is an integer or above 30; p is not positive, ``within`` negative, ``force`` at most 1; L =
+        0; an argument is not rational; the contact has no damper.
+    """
+    checked_ratio(system.beta)
+    start = AffineStart(system, rational(p, "p"), rational(b, "b"), rational(within, "within"))
+    factor = rational(force, "force")
+    if not (start.p > 0 and start.within >= 0 and factor > 1):
+        raise ValueError("p must be positive, within not negative, force above 1")
+    if start.excess == 0:
+        raise ValueError("b is that of the reference: nothing decides the side")
+    with working_bits(BITS):
+        return _side(start, factor)
+
+
+def _side(start: AffineStart, factor: fmpq) -> AffineSide:
+    system = start.system
+    trajectory = expand_system(system.system(), max(_ORDER, 2 * int(system.beta.p // system.beta.q) + 8))
+    residuals, prepared = Residuals(trajectory, LARGEST_DELTA), list(_prepared(start))
+
+    def follow(least: fmpq, most: fmpq) -> SideEnd | str:
+        return _followed(start, prepared, DeviationEquations(trajectory, most, least, residuals), factor)
+
+    ends, failed = in_ranges(follow, LARGEST_DELTA)
+    delta = ends[-1].most if ends else smallest(LARGEST_DELTA)
+    shown, epsilon = joined(ends, delta), delta**3
+    whole = (
+        f"{_system_text(system)}, {states_text(start)}, for every 0 < epsilon <= {epsilon}, as long as slip is positive"
+    )
+    if shown is None:
+        detail = (failed or "different epsilon have different sides") + proved_so_far(ends)
+        verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, detail)
+        return AffineSide(start, epsilon, None, verdict)
+    before = f"{whole}: lambda_N > 0 until p < 0"
+    if ends[0].side < 0:
+        side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
+    else:
+        side, statement = "impact", f"{before} and on, until it exceeds {factor * system.mean_force}; p < 0 there"
+    return AffineSide(start, epsilon, side, Verdict.proved(statement, shown))
+
+
+@dataclass(frozen=True)
+class _Prepared:
+    """Lemma 1 for one plan; it does not depend on epsilon."""
+
+    plan: Plan
+    norm: Norm
+    rectangle: Rectangle
+    growth: Growth
+
+
+def _prepared(start: AffineStart) -> Iterator[_Prepared]:
+    system = start.system
+    contact = Contact.of(system.regularisation)
+    for plan in affine_plans(system.beta, system.a, contact):
+        series = slow_series(system.beta, contact, plan.order, system.slopes)
+        norm = Norm(series, plan.k_1, plan.k_2)
+        reach = (1 / ball(system.a * plan.place**3)).sqrt() * ball(_BEYOND)
+        rectangle = Rectangle(rounded_up(reach), rounded_up(ball(start.p).sqrt()))
+        yield _Prepared(plan, norm, rectangle, fast_growth(norm, rectangle, plan.growth, plan.damping))
+
+
+def _followed(
+    start: AffineStart, prepared: list[_Prepared], equations: DeviationEquations, factor: fmpq
+) -> SideEnd | str:
+    """From p_1 to the end, for all delta of the equations, or what the first plan failed by."""
+    failed = list[str]()
+    for one in prepared:
+        passed = _tube(start, one, start.system.a * equations.exact_delta**3)
+        if isinstance(passed, str):
+            failed.append(f"Theorem B': {passed}")
+            continue
+        handed = affine_hand_over(equations, start, passed, one.norm.series, one.plan.place)
+        if isinstance(handed, str):
+            failed.append(handed)
+            continue
+        ended = _ended(start, equations, factor, handed, one.plan.place)
+        if isinstance(ended, str):
+            failed.append(ended)
+            continue
+        whole = every([passed.evidence, ended.evidence])
+        if whole is not None:
+            return replace(ended, evidence=whole)
+    return failed[-1] if failed else "no norm was tried"
+
+
+def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
+    found: AffineTube | str = "no z_max was tried"
+    for largest in LARGEST:
+        found = affine_tube(start, one.norm, one.growth, one.rectangle, e, largest, _RATIO)
+        if isinstance(found, AffineTube):
+            return found
+    return found
+
+
+def _ended(
+    start: AffineStart, equations: DeviationEquations, factor: fmpq, handed: HandOver, place: fmpq
+) -> SideEnd | str:
+    beta = start.system.beta
+    tracked = track(
+        equations,
+        2 * (beta - 1),
+        -place,
+        end_of_track(equations, reach_for(beta)),
+        centre=handed.centre,
+        radii=handed.radii,
+        fast=handed.fast,
+        frame=handed.frame,
+    )
+    end = first_end(tracked, -place, factor)
+    if end is not None:
+        return end
+    reached = tracked.pieces[-1].end if tracked.pieces else -place
+    return f"Theorems U1, U2: no end is certain up to s = {reached}; z <= {ball_text(handed.z, 3)} at s = -{place}"
+
+
+def _system_text(system: AffineSystem) -> str:
+    first, second, third = (one.text for one in (system.alpha_1, system.alpha_2, system.alpha_3))
+    return (
+        f"p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N, y'' = b + p lambda_N with alpha_1 = {first}, "
+        f"alpha_2 = {second}, alpha_3 = {third} and {contact_text(system.regularisation)}"
+    )
+
+
+def states_text(start: AffineStart) -> str:
+    """The set of states in words."""
+    return (
+        f"every start in contact at p = {start.p}, b = {start.b} with |lambda_N + b/p| <= {start.within} |L|, "
+        f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {start.within} sqrt(p) |L|, "
+        f"L = {start.excess}, {Contact.of(start.system.regularisation).fast_text}"
+    )
