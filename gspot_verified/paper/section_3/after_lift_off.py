@@ -10,7 +10,7 @@ from flint import arb, fmpq
 from gspot_verified.compliant.model.normal_form import compliant_model
 from gspot_verified.compliant.motion.run import ONE_FLIGHT, CompliantRun, events
 from gspot_verified.compliant.side.side_later import side
-from gspot_verified.numbers.balls import ball_text, certainly_less, sign_of, working_bits
+from gspot_verified.numbers.balls import ball_text, certainly_less, hull, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -28,6 +28,9 @@ POWER = fmpq(4, 3)
 MOST_FREE = 13
 FREE_POWER = fmpq(2, 3)
 """b at lift-off, the normal acceleration there, is below MOST_FREE ε^FREE_POWER."""
+MOST_TIME = 45
+TIME_POWER = fmpq(2, 3)
+"""The touch-down comes less than MOST_TIME ε^TIME_POWER after the G-spot."""
 
 
 def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> CompliantRun:
@@ -37,17 +40,17 @@ def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> CompliantRun:
 
 
 def as_claimed(run: CompliantRun) -> bool | None:
-    """One flight from a small b > 0, a touch-down after the G-spot, and a small velocity downwards there."""
+    """One flight from a small b > 0, a touch-down soon after the G-spot, and a small velocity downwards there."""
     if run.verdict.outcome is not Outcome.PROVED:
         return None
     if run.verdict.statement != CLAIM["events"] or len(run.events) != 2:
         return False
     free, speed = run.events[0].state.b, -run.events[1].velocity
     with working_bits(64):
-        bounds = [(free, MOST_FREE, FREE_POWER), (speed, MOST, POWER)]
+        time = hull([arb(run.events[1].lower), arb(run.events[1].upper)])
+        bounds = [(free, MOST_FREE, FREE_POWER), (speed, MOST, POWER), (time, MOST_TIME, TIME_POWER)]
         small = [certainly_less(value, most * arb(run.model.epsilon) ** arb(power)) for value, most, power in bounds]
-        after = run.events[1].lower > 0
-        return all_of([after, *(certainly_less(arb(0), value) for value, _, _ in bounds), *small])
+        return all_of([*(certainly_less(arb(0), value) for value, _, _ in bounds), *small])
 
 
 def side_at_touch_down(run: CompliantRun) -> bool | None:
@@ -75,8 +78,8 @@ def _one_flight() -> Entry:
         "lines 914 to 918",
         r"\text{lift-off terminates shortly after the G-spot, with an impact of very low normal velocity}",
         "Each simulated run of Case III that lifts off, at ε = 10^-3 and 10^-9, has exactly one flight, from a "
-        "lift-off where 0 < b < 13 ε^(2/3) to a touch-down after the G-spot where 0 < -v < 300 ε^(4/3), and then takes "
-        "an impact without collision: contact is not lost again",
+        "lift-off where 0 < b < 13 ε^(2/3) to a touch-down, less than 45 ε^(2/3) after the G-spot, where 0 < -v < 300 "
+        "ε^(4/3), and then takes an impact without collision: contact is not lost again",
         Check(
             Rung.BALLS,
             "proofs/flight.md: certified lift-off and touch-down; the state at touch-down lies in an invariant set in "

@@ -18,13 +18,14 @@ def run(
     speed: Any = arb("0.02"),  # noqa: B008
     free: Any = arb("0.1"),  # noqa: B008
     lower: Any = fmpq(1, 9),  # noqa: B008
+    upper: Any = fmpq(1, 9),  # noqa: B008
     events: int = 2,
     outcome: Outcome = Outcome.PROVED,
     statement: str = ONE_FLIGHT,
 ) -> Any:
-    """As a run of ε = 1/1000, for which 300 ε^(4/3) = 0.03 and 13 ε^(2/3) = 0.13; ``free``: b at lift-off."""
+    """As a run of ε = 1/1000, for which 300 ε^(4/3) is 0.03, 13 ε^(2/3) 0.13 and 45 ε^(2/3) 0.45; ``free``: b at lift-off."""
     first = SimpleNamespace(lower=fmpq(-1), velocity=arb(5), state=SimpleNamespace(b=free))
-    last = SimpleNamespace(lower=lower, velocity=-speed, state="at touch-down")
+    last = SimpleNamespace(lower=lower, upper=upper, velocity=-speed, state="at touch-down")
     return SimpleNamespace(
         verdict=SimpleNamespace(outcome=outcome, statement=statement),
         events=(first, last, last)[:events],
@@ -47,7 +48,12 @@ def run(
         (run(free=arb(0)), False),
         (run(free=arb("-0.1")), False),
         (run(free=arb("0.1", "0.1")), None),
-        (run(lower=fmpq(0)), False),
+        (run(lower=fmpq(0)), None),
+        (run(lower=fmpq(-1)), None),
+        (run(upper=fmpq(449999, 1000000)), True),
+        (run(upper=fmpq(450001, 1000000)), None),
+        (run(lower=fmpq(450001, 1000000), upper=fmpq(46, 100)), False),
+        (run(lower=fmpq(-1), upper=fmpq(-1, 2)), False),
         (run(events=1), False),
         (run(events=3), False),
         (run(statement="another"), False),
@@ -95,3 +101,4 @@ def test_the_statement_names_what_is_checked(monkeypatch: pytest.MonkeyPatch) ->
     assert f"at ε = {first} and {last}, has exactly one flight" in entry.statement
     assert f"0 < -v < {after_lift_off.MOST} ε^({after_lift_off.POWER})" in entry.statement
     assert f"0 < b < {after_lift_off.MOST_FREE} ε^({after_lift_off.FREE_POWER})" in entry.statement
+    assert f"less than {after_lift_off.MOST_TIME} ε^({after_lift_off.TIME_POWER}) after the G-spot" in entry.statement

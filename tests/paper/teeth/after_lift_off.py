@@ -29,6 +29,8 @@ TEETH: Teeth = {
     "3-after-lift-off": (
         Bite("factor", ledger, "MOST", lambda honest: honest / 2),
         Bite("factor", ledger, "MOST_FREE", lambda honest: honest / 2),
+        Bite("factor", ledger, "MOST_TIME", lambda honest: honest / 2),
+        Bite("order", ledger, "TIME_POWER", lambda honest: honest + 1),
         Bite("order", ledger, "FREE_POWER", lambda honest: honest + 1),
         Bite("factor", ledger.CLAIM, "events", lambda _: "one flight, then a contact that is lost again"),
         Bite("hidden factor", ledger, "run_of", upwards_at_the_least_epsilon),
