@@ -23,7 +23,7 @@ def run(
     outcome: Outcome = Outcome.PROVED,
     statement: str = ONE_FLIGHT,
 ) -> Any:
-    """As a run of ε = 1/1000, for which 300 ε^(4/3) is 0.03, 13 ε^(2/3) 0.13 and 45 ε^(2/3) 0.45; ``free``: b at lift-off."""
+    """As a run of ε = 1/1000: 300 ε^(4/3) is 0.03, 13 ε^(2/3) 0.13 and 45 ε^(2/3) 0.45; ``free``: b at lift-off."""
     first = SimpleNamespace(lower=fmpq(-1), velocity=arb(5), state=SimpleNamespace(b=free))
     last = SimpleNamespace(lower=lower, upper=upper, velocity=-speed, state="at touch-down")
     return SimpleNamespace(
