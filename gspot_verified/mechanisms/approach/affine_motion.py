@@ -47,7 +47,10 @@ def with_explicit(found: MechanismSide, mechanism: Mechanism, start: StateInput)
 
 
 def affine_system_of(mechanism: Mechanism) -> tuple[tuple[str, str], AffineSystem] | None:
-    """The names of p and b among the components, and the alphas as affine functions of them; None if they are not."""
+    """The names of p and b among the components, and the alphas as affine functions of them; None if they are not.
+
+    An angle with a reference is none of them: its value in a state is not the one that the functions count.
+    """
     functions = shift(mechanism).functions
     wanted = (functions.p, functions.b, functions.alpha_1, functions.alpha_2, functions.alpha_3)
     polynomials = _polynomials(wanted, len(mechanism.state))
@@ -63,8 +66,10 @@ def affine_system_of(mechanism: Mechanism) -> tuple[tuple[str, str], AffineSyste
         return None
     if not (first.value < 0 and second.value < 0 and third.value < first.value and third.value != 2 * first.value):
         return None
-    system = AffineSystem(first, second, third, mechanism.regularisation)
-    return (mechanism.state[places[0]], mechanism.state[places[1]]), system
+    names = mechanism.state[places[0]], mechanism.state[places[1]]
+    if any(angle.coordinate in names for angle in mechanism.angles):
+        return None
+    return names, AffineSystem(first, second, third, mechanism.regularisation)
 
 
 def _affine(polynomial: fmpq_mpoly, p: int, b: int) -> Affine | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from flint import fmpq
 
@@ -38,3 +40,33 @@ def test_without_p_and_b_as_rational_numbers_nothing_is_added() -> None:
     assert told.explicit.side is None
     assert "explicit epsilon_0 (proofs/from_state.md, section 8): undecided" in str(told)
     assert told.to_json()["explicit"] is not None
+
+
+_ANGLE = """
+format = 1
+name = "p is an angle, counted from its reference"
+[fields]
+state = ["x", "u", "y", "v", "phi", "b"]
+F = ["u", 0, "v", "b", "-1 + b", "-1"]
+G_T = [0, "3/(2*(1 - phi + phi_ref))", 0, "1/2", 0, "-3/(4*(1 - phi + phi_ref))"]
+G_N = [0, "1/2", 0, "(1 + phi - phi_ref)/2", 0, "3/4"]
+[angles.phi]
+sine = "3/5"
+cosine = "4/5"
+[contact]
+x = "x"
+y = "y"
+mu = "1 - phi + phi_ref"
+[g_spot]
+fixed = ["x", "u"]
+[g_spot.point]
+u = 1
+phi = "phi_ref"
+"""
+
+
+def test_an_angle_is_not_taken_for_p(tmp_path: Path) -> None:
+    """phi = 1/100 is p = 1/100 - phi_ref there: another state than the one that would be proved."""
+    file = tmp_path / "angle.toml"
+    file.write_text(_ANGLE)
+    assert affine_system_of(load(file)) is None
