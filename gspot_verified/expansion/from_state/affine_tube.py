@@ -197,7 +197,7 @@ class _Path:
 
 
 class _Sums:
-    """The sums of (14), (15): monomials with upper bounds, at most their values on the way."""
+    """The sums of (15), (16): monomials with upper bounds, at most their values on the way."""
 
     def __init__(self, norm: Norm, shares: tuple[arb, arb, arb], rests: Rests, path: _Path) -> None:
         series = norm.series
@@ -213,7 +213,7 @@ class _Sums:
         self.fall = path.largest(self._fall)
 
     def rate(self, growth: fmpq, largest: arb) -> arb:
-        """The bracket of (14) in front of z."""
+        """The bracket of (15) in front of z."""
         path, rests, (first, second, third) = self._path, self._rests, self._shares
         at = path.largest
         back, w = self._beta + at(self._back), at(self._w)
@@ -238,7 +238,7 @@ class _Sums:
         ).upper()
 
     def source(self, below: arb) -> Monomials:
-        """The sum without z of (14), over 1 - pi."""
+        """The sum without z of (15), over 1 - pi."""
         series, rests = self._series, self._rests
         free: Monomials = dict(rests.force)
         added(free, times(rests.back, self._w), 1)
@@ -259,7 +259,7 @@ class _Sums:
         return divided
 
     def drift(self, below: arb) -> Monomials:
-        """The sum without z of (15): what is beside beta w + A p."""
+        """The sum without z of (16): what is beside beta w + A p."""
         slopes, rests, beta = self._slopes, self._rests, self._beta
         total: Monomials = dict(rests.force)
         added(total, rests.fall, beta - 1)
@@ -272,7 +272,7 @@ class _Sums:
         return divided
 
     def pushed(self, below: arb) -> arb:
-        """What stands in front of z in (15)."""
+        """What stands in front of z in (16)."""
         return ((self._beta + self._path.largest(self._back)) * self._shares[1] / below).upper()
 
     def slow_drift(self) -> Monomials:

@@ -54,7 +54,7 @@ def test_the_deviation_obeys_its_equations_within_the_bounds(system: AffineSyste
         w_rate = b_rate + p_rate * force + p * force_rate
         phi = force + contact.kappa * height + contact.lag / contact.rate * moving
         speed = moving - e * system.tilt / contact.kappa
-        # (14) solved for its coefficients
+        # (14') solved for its coefficients
         fall = -p_rate / e - 1
         beta = system.beta
         back, turn = -alphas[2] / system.a - beta, (alphas[0] - alphas[2]) / system.a - (beta - 1)
