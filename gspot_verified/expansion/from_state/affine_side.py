@@ -134,7 +134,7 @@ def _prepared(start: AffineStart) -> Iterator[_Prepared]:
 def _followed(
     start: AffineStart, prepared: list[_Prepared], equations: DeviationEquations, factor: fmpq
 ) -> SideEnd | str:
-    """From p_1 to the end, for all delta of the equations, or what the first plan failed by."""
+    """From p_1 to the end, for all delta of the equations, or what the last plan failed by."""
     failed = list[str]()
     for one in prepared:
         passed = _tube(start, one, start.system.a * equations.exact_delta**3)
