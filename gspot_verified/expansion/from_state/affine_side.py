@@ -24,7 +24,7 @@ from gspot_verified.expansion.true_solutions.bound import BITS, rational
 from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges, smallest
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations, Residuals
 from gspot_verified.expansion.true_solutions.side import end_of_track
-from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end, joined, proved_so_far
+from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end, joined
 from gspot_verified.expansion.true_solutions.track import track
 from gspot_verified.numbers.balls import ExactInput, ball, ball_text, working_bits
 from gspot_verified.numbers.evidence import every
@@ -40,9 +40,9 @@ _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 class AffineSide(NoTruthValue, Written):
     """What becomes of all starts in a stated set, for every epsilon in (0, ``epsilon``] at once; affine alpha_i.
 
-    ``side``: "lift-off" (lambda_N > 0 until p < 0, later it reaches 0), "impact" (lambda_N > 0 until it exceeds a
-    stated force, with p < 0), or None: undecided, and ``verdict.detail`` says which inequality is not certain. Slip is
-    assumed to stay positive.
+    ``side``: "lift-off" (lambda_N > 0 until p < 0, later it reaches 0), "impact" (lambda_N > 0 until p < 0, and after
+    that until it exceeds a stated force), or None: undecided, and ``verdict.detail`` says which inequality is not
+    certain. Slip is assumed to stay positive.
     """
 
     ask: ClassVar[str] = ASK_VERDICT
@@ -99,14 +99,15 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
         f"{_system_text(system)}, {states_text(start)}, for every 0 < epsilon <= {epsilon}, as long as slip is positive"
     )
     if shown is None:
-        detail = (failed or "different epsilon have different sides") + proved_so_far(ends)
+        detail = failed or "different epsilon have different sides"
         verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, detail)
         return AffineSide(start, epsilon, None, verdict)
     before = f"{whole}: lambda_N > 0 until p < 0"
     if ends[0].side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        side, statement = "impact", f"{before} and on, until it exceeds {factor * system.mean_force}; p < 0 there"
+        after = f"after that it stays so until it exceeds {factor * system.mean_force}; p < 0 there"
+        side, statement = "impact", f"{before}; {after}"
     return AffineSide(start, epsilon, side, Verdict.proved(statement, shown))
 
 

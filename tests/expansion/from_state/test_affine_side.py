@@ -2,24 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified.expansion.from_state import affine_side as module
 from gspot_verified.expansion.from_state.affine_side import AffineSide, affine_side
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, affine_tube
+from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan
 from gspot_verified.expansion.from_state.fast_growth import Norm, Rectangle, fast_growth
+from gspot_verified.expansion.from_state.hand_over import HandOver
 from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
 from gspot_verified.expansion.series.regularisation import PAPER
+from gspot_verified.expansion.true_solutions.delta_ranges import smallest
+from gspot_verified.expansion.true_solutions.side_end import SideEnd
 from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome
 from tests.expansion.from_state.test_affine_system import EXTENDED
 from tests.witnesses.stiff_contact import StiffContact, at_rest, fate
 
-P, TENTH, RATIO = fmpq(1, 100), fmpq(1, 10), fmpq(3, 2)
+P = fmpq(1, 100)
+SHOWN = less(0, 1)
+assert SHOWN is not None
 ALPHAS = [[fmpq(-1), fmpq(0), fmpq(1)], [fmpq(-1), fmpq(0), fmpq(0)], [fmpq(-3, 2), fmpq(0), fmpq(0)]]
 
 
@@ -85,38 +94,6 @@ def test_a_run_stays_in_the_tube_and_c_1_moves_as_said(excess: fmpq) -> None:
         assert abs(moved) > arb("0.01")
 
 
-def test_a_tube_needs_each_of_its_inequalities() -> None:
-    """Larger epsilon, a start farther away, a smaller factor: each is refused with its reason."""
-    series = slow_series(EXTENDED.beta, Contact.of(PAPER), 4, EXTENDED.slopes)
-    norm, rectangle = Norm(series, fmpq(8, 5), fmpq(12, 25)), Rectangle(fmpq(1, 8), fmpq(1, 10))
-    growth = fast_growth(norm, rectangle, fmpq(1, 20), fmpq(1, 10))
-
-    def tried(excess: fmpq, e: fmpq, largest: fmpq = TENTH, ratio: fmpq = RATIO) -> AffineTube | str:
-        return affine_tube(
-            AffineStart(EXTENDED, P, place_of(excess), fmpq(1, 100)), norm, growth, rectangle, e, largest, ratio
-        )
-
-    small, half = fmpq(1, 20000) ** 3, fmpq(1, 2)
-    with working_bits(128):
-        assert isinstance(tried(half, small), AffineTube)
-        assert "barrier" in str(tried(half, small, fmpq(1, 100)))
-        assert "the layer falls" in str(tried(half, fmpq(1, 2000)))
-        assert isinstance(tried(half, fmpq(1, 1000)), str)  # the hand-over lies before the start
-        assert "log C_1 moves" in str(tried(half, small, ratio=fmpq(101, 100)))
-        assert "the force stays positive" in str(tried(fmpq(-3, 2), small))
-        level = slow_series(EXTENDED.beta, Contact.of(PAPER), 4)
-        with pytest.raises(ValueError, match="another system"):
-            affine_tube(
-                AffineStart(EXTENDED, P, place_of(half), half),
-                replace(norm, series=level),
-                growth,
-                rectangle,
-                small,
-                half,
-                half,
-            )
-
-
 def test_from_far_away_it_is_undecided_and_says_why() -> None:
     found = affine_side(EXTENDED, "1/5", place_of(fmpq(1, 2), fmpq(1, 5)))
     assert found.side is None
@@ -131,3 +108,205 @@ def test_without_slopes_it_is_the_model_system() -> None:
     found = affine_side(level, "1/2", -2)
     assert found.side == "lift-off"
     assert fmpq(64, 185193) / 3 < found.epsilon < fmpq(64, 185193) * 3
+
+
+def staged(side: int, until: fmpq) -> Any:
+    """A stand-in for ``_followed``: ranges up to ``until`` are proved."""
+
+    def decided(_: Any, __: Any, equations: Any, ___: fmpq) -> Any:
+        least, most = equations.least, equations.exact_delta
+        return SideEnd(least, most, side, fmpq(1), arb(1), arb(2), arb(3), SHOWN) if most <= until else "too large"
+
+    return decided
+
+
+def asked(monkeypatch: pytest.MonkeyPatch, follow: Any, **words: Any) -> AffineSide:
+    monkeypatch.setattr(module, "_prepared", lambda _: iter(()))
+    monkeypatch.setattr(module, "_followed", follow)
+    return affine_side(EXTENDED, P, place_of(fmpq(-1, 2)), **words)
+
+
+@pytest.mark.parametrize(("side", "word"), [(-1, "lift-off"), (1, "impact")])
+@pytest.mark.parametrize("until", [LARGEST_DELTA, fmpq(1, 50), fmpq(1, 30000)])
+def test_ranges_are_followed_as_far_as_they_go(
+    side: int, word: str, until: fmpq, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = asked(monkeypatch, staged(side, until))
+    assert (found.side, found.verdict.outcome) == (word, Outcome.PROVED)
+    assert until * fmpq(9, 10) < fmpq(found.epsilon.p.root(3), found.epsilon.q.root(3)) <= until
+    statement = found.verdict.statement
+    assert (
+        f"for every 0 < epsilon <= {found.epsilon}, as long as slip is positive: lambda_N > 0 until p < 0" in statement
+    )
+    ends = "it vanishes later: contact is lost" if side < 0 else "until it exceeds 20; p < 0 there"
+    assert statement.endswith(ends)
+
+
+def test_an_impact_is_a_matter_of_later_times(monkeypatch: pytest.MonkeyPatch) -> None:
+    """alpha_2 = -1 + p: lambda_N = 403/200 at the start, with p > 0, which is more than 803/400 already."""
+    system = AffineSystem(Affine(fmpq(-1)), Affine(fmpq(-1), fmpq(1)), Affine(fmpq(-3, 2)), PAPER)
+    force = system.mean_force + system.tilt * P - fmpq(1, 200)
+    assert force == fmpq(403, 200) > fmpq(803, 400)
+    monkeypatch.setattr(module, "_prepared", lambda _: iter(()))
+    monkeypatch.setattr(module, "_followed", staged(1, fmpq(1, 512)))
+    found = affine_side(system, P, -P * force, force=fmpq(803, 800))
+    assert found.verdict.statement.endswith(
+        ": lambda_N > 0 until p < 0; after that it stays so until it exceeds 803/400; p < 0 there"
+    )
+
+
+def test_without_a_range_nothing_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = asked(monkeypatch, staged(1, fmpq(0)))
+    assert (found.side, found.verdict.outcome) == (None, Outcome.UNDECIDED)
+    assert found.verdict.detail == "too large"
+    assert found.epsilon == smallest(LARGEST_DELTA) ** 3
+
+
+def test_ranges_on_different_sides_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def sides(_: Any, __: Any, equations: Any, ___: Any) -> Any:
+        return staged(1 if equations.least == 0 else -1, fmpq(1, 50))(_, __, equations, ___)
+
+    found = asked(monkeypatch, sides)
+    assert (found.side, found.verdict.detail) == (None, "too large")
+    whole = asked(
+        monkeypatch, lambda *given: sides(*given) if given[2].least == 0 else staged(-1, LARGEST_DELTA)(*given)
+    )
+    assert whole.verdict.detail == "different epsilon have different sides"
+
+
+@pytest.mark.parametrize(
+    ("p", "words", "message"),
+    [
+        ("0", {}, "p must be positive"),
+        ("-1/100", {}, "p must be positive"),
+        ("1/100", {"within": "-1/1000"}, "within not negative"),
+        ("1/100", {"force": "1"}, "force above 1"),
+    ],
+)
+def test_what_is_refused(p: str, words: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        affine_side(EXTENDED, p, "-1/50", **words)
+
+
+def test_the_reference_itself_and_an_integer_beta_are_refused() -> None:
+    with pytest.raises(ValueError, match="nothing decides the side"):
+        affine_side(EXTENDED, P, place_of(fmpq(0)))
+    with pytest.raises(ValueError, match="no integer"):
+        affine_side(AffineSystem(EXTENDED.alpha_1, EXTENDED.alpha_2, Affine(fmpq(-3)), PAPER), P, "-1/50")
+
+
+def test_what_stands_where_nothing_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    given: list[Any] = []
+    monkeypatch.setattr(module, "_side", lambda *words: given.append(words))
+    affine_side(EXTENDED, P, place_of(fmpq(1)))  # L = 1 is not the reference
+    affine_side(EXTENDED, "1/3", "-1/50", within=0, force="1000001/1000000")
+    (first, factor), (second, least) = given
+    assert (first.system, first.p, first.excess, first.within, factor) == (EXTENDED, P, 1, fmpq(1, 100), 10)
+    assert (second.p, second.b, second.within, least) == (fmpq(1, 3), fmpq(-1, 50), 0, fmpq(1000001, 1000000))
+
+
+def one_plan(place: int = 2) -> Plan:
+    return Plan(fmpq(1), fmpq(1, 2), fmpq(1), fmpq(1, 10), 3, fmpq(place))
+
+
+def prepared_one(place: int = 2) -> Any:
+    norm = SimpleNamespace(series=f"series {place}")
+    return SimpleNamespace(plan=one_plan(place), norm=norm, growth="growth", rectangle="rectangle")
+
+
+def test_lemma_1_is_shown_once_for_each_plan(monkeypatch: pytest.MonkeyPatch) -> None:
+    """r_1^2 >= p_1, slopes of the system."""
+    system = AffineSystem(Affine(fmpq(-2), fmpq(0), fmpq(1)), Affine(fmpq(-1)), Affine(fmpq(-3)), PAPER)
+    given = AffineStart(system, fmpq(1, 7), fmpq(-1), fmpq(0))
+    monkeypatch.setattr(module, "affine_plans", lambda beta, a, _: [one_plan()] if (beta, a) == (fmpq(3, 2), 2) else [])
+    monkeypatch.setattr(module, "fast_growth", lambda *words: words)
+    (one,) = module._prepared(given)
+    series = slow_series(system.beta, Contact.of(PAPER), 3, system.slopes)
+    assert one.norm == Norm(series, fmpq(1), fmpq(1, 2))
+    assert one.growth == (one.norm, one.rectangle, fmpq(1), fmpq(1, 10))
+    assert fmpq(1, 7) <= one.rectangle.r**2 < fmpq(1, 6)
+
+
+def test_each_z_max_is_tried_until_one_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried: list[Any] = []
+    passed = object.__new__(AffineTube)
+
+    def bound(*words: Any) -> Any:
+        tried.append(words)
+        return passed if words[5] >= fmpq(1, 5) else f"not {words[5]}"
+
+    monkeypatch.setattr(module, "affine_tube", bound)
+    start, one = AffineStart(EXTENDED, P, fmpq(-1), fmpq(0)), prepared_one()
+    assert module._tube(start, one, fmpq(1, 7)) is passed
+    assert [words[5] for words in tried] == [value for value in LARGEST if value <= fmpq(1, 5)]
+    assert all(words[:5] == (start, one.norm, "growth", "rectangle", fmpq(1, 7)) and words[6] > 1 for words in tried)
+    monkeypatch.setattr(module, "affine_tube", lambda *words: f"not {words[5]}")
+    assert module._tube(start, one, fmpq(1, 7)) == f"not {LARGEST[-1]}"
+
+
+def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By its tube, its hand-over, its end; what the last one failed by is said. e = a delta^3."""
+    system = AffineSystem(Affine(fmpq(-2)), Affine(fmpq(-1)), Affine(fmpq(-3)), PAPER)
+    start, equations = AffineStart(system, P, fmpq(-1), fmpq(0)), SimpleNamespace(exact_delta=fmpq(1, 10))
+    end = SideEnd(fmpq(0), fmpq(1), 1, fmpq(1), arb(1), arb(2), arb(3), SHOWN)
+    tube, handed, seen = SimpleNamespace(evidence=SHOWN), object.__new__(HandOver), list[Any]()
+
+    def tubes(_: Any, one: Any, e: fmpq) -> Any:
+        seen.append(e)
+        return "z" if one.plan.place == 1 else tube
+
+    def hand_over(*given: Any) -> Any:
+        assert given[:3] == (equations, start, tube)
+        assert given[3] == f"series {given[4]}"
+        return "handed" if given[4] == 2 else handed
+
+    def ended(*given: Any) -> Any:
+        assert given[:4] == (start, equations, fmpq(11), handed)
+        return "ended" if given[4] == 3 else end
+
+    for name, stand_in in (("_tube", tubes), ("affine_hand_over", hand_over), ("_ended", ended)):
+        monkeypatch.setattr(module, name, stand_in)
+
+    def followed(*places: int) -> Any:
+        return module._followed(start, [prepared_one(place) for place in places], equations, fmpq(11))  # type: ignore[arg-type]
+
+    found = followed(1, 2, 3, 4, 1)
+    assert isinstance(found, SideEnd)
+    assert found.evidence is not SHOWN
+    assert set(seen) == {fmpq(2, 1000)}
+    assert len(seen) == 4
+    assert followed(1) == "Theorem B': z"
+    assert followed(1, 2) == "handed"
+    assert followed(2, 3) == "ended"
+    assert followed(3, 2, 1) == "Theorem B': z"
+    assert followed() == "no norm was tried"
+    tube.evidence = None
+    assert followed(4, 1) == "Theorem B': z"
+
+
+def test_the_end_is_looked_for_from_the_hand_over_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """mu = 2 (beta - 1), from s = -S."""
+    start, equations = AffineStart(EXTENDED, P, fmpq(-1), fmpq(0)), SimpleNamespace()
+    handed = SimpleNamespace(centre="centre", radii="radii", fast="fast", frame="frame", z=arb("0.25"))
+    pieces = [SimpleNamespace(end=fmpq(-1)), SimpleNamespace(end=fmpq(1, 2)), SimpleNamespace(end=fmpq(5, 2))]
+    given, tracked, reached = list[Any](), SimpleNamespace(pieces=pieces), "end"
+
+    def tracks(*words: Any, **more: Any) -> Any:
+        given.append((words, more))
+        return tracked
+
+    monkeypatch.setattr(module, "track", tracks)
+    monkeypatch.setattr(module, "end_of_track", lambda _, __: fmpq(9))
+    monkeypatch.setattr(module, "first_end", lambda *words: reached if words == (tracked, fmpq(-2), fmpq(11)) else 0)
+
+    def ended() -> Any:
+        return module._ended(start, equations, fmpq(11), handed, fmpq(2))  # type: ignore[arg-type]
+
+    assert ended() == "end"
+    ((words, more),) = given
+    assert words == (equations, fmpq(1), fmpq(-2), fmpq(9))
+    assert more == {"centre": "centre", "radii": "radii", "fast": "fast", "frame": "frame"}
+    reached = None  # type: ignore[assignment]
+    assert ended() == "Theorems U1, U2: no end is certain up to s = 5/2; z <= 0.250 at s = -2"
+    tracked.pieces = []
+    assert "no end is certain up to s = -2;" in ended()
