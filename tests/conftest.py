@@ -51,6 +51,8 @@ SABOTAGED_MODULES = {
         "compliant.side.side_rule",
         "integrator.box_steps.step",
         "integrator.norm_steps.norm_step",
+        "expansion.from_state.affine_hand_over",
+        "expansion.from_state.affine_tube",
         "expansion.true_solutions.growth",
         "expansion.true_solutions.piece",
     )

@@ -20,6 +20,7 @@ _THETA = (
 _COMPLIANT = ("tests/compliant/test_sharpness.py",)
 _INTEGRATOR = ("tests/integrator/test_sharpness.py",)
 _UNIFORM = ("tests/expansion/true_solutions/test_piece.py", "tests/expansion/true_solutions/test_growth_ranges.py")
+_AFFINE = tuple(f"tests/expansion/from_state/test_affine_{name}.py" for name in ("hand_over", "tube"))
 
 
 def _slow(sabotage: str) -> object:
@@ -40,6 +41,7 @@ def test_green_without_sabotage() -> None:
     assert _run(_COMPLIANT) == 0
     assert _run(_INTEGRATOR) == 0
     assert _run(_UNIFORM) == 0
+    assert _run(_AFFINE) == 0
 
 
 # The first six bounds are attained to 2^-20 relative; the others are wider than the error, by less than 2^20.
@@ -75,3 +77,9 @@ def test_red_with_a_shrunk_radius_of_the_integrator(sabotage: str) -> None:
 @pytest.mark.parametrize("sabotage", ["growth:20", "piece:20"])
 def test_red_with_a_shrunk_radius_of_a_deviation(sabotage: str) -> None:
     assert _run(_UNIFORM, "--sabotage", sabotage) == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sabotage", ["affine_hand_over:20", "affine_tube:20"])
+def test_red_with_a_shrunk_hand_over(sabotage: str) -> None:
+    assert _run(_AFFINE, "--sabotage", sabotage) == 1

@@ -30,7 +30,7 @@ def affine_hand_over(
     if not system.a * equations.exact_delta**3 <= tube.start.e:
         raise ValueError("the tube is for larger epsilon only")
     scaled = equations.expansion("p", ball(-place))
-    if less(0, scaled) is None or less(ball(system.a**2), ball(tube.rectangle.h**2) * scaled**3) is None:
+    if less(ball(system.a**2), ball(tube.rectangle.h**2) * scaled**3) is None:
         return "the tube ends before the hand-over"
     if less(scaled * equations.delta**2, ball(given.p)) is None:
         return "the start lies after the hand-over"
@@ -52,19 +52,18 @@ def _beside(equations: DeviationEquations, system: AffineSystem, place: fmpq) ->
     }
     contact = Contact.of(system.regularisation)
     p, square = known["p"], _DELTA * _DELTA
-    force = system.mean_force + system.tilt * square * p
-    more = {
-        "b": -p * force - known["b"],
-        "v": system.a * system.tilt / contact.kappa * square - known["v"],
-        "lambda": force - known["lambda_n"],
-        "phi": -(known["lambda_n"] + contact.kappa * known["y"] + contact.lag / contact.rate * _DELTA * known["v"]),
-    }
-    # kappa e_y = phi - (l/g) delta e_v - e_lambda
-    more["y"] = (more["phi"] - contact.lag / contact.rate * _DELTA * more["v"] - more["lambda"]) / contact.kappa
+    force, speed = system.mean_force + system.tilt * square * p, system.a * system.tilt / contact.kappa * square
+    lag = contact.lag / contact.rate * _DELTA
+    more = (
+        -p * force - known["b"],
+        -(force + lag * speed) / contact.kappa - known["y"],
+        speed - known["v"],
+        known["lambda_n"] + contact.kappa * known["y"] + lag * known["v"],  # the sign does not matter
+    )
     own = (known["p"], known["b"], square * square * known["y"], square * known["v"])
     state = [value - known[f"xi_{i + 1}"] for i, value in enumerate(own)]
     power = 2 * (system.beta - 1)
-    sizes = [_over(equations, one, power) for one in (more["b"], more["y"], more["v"], more["phi"], *state)]
+    sizes = [_over(equations, one, power) for one in (*more, *state)]
     found = [one for one in sizes if one is not None]
     if len(found) < len(sizes):
         return None

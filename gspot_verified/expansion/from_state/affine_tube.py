@@ -19,7 +19,6 @@ from gspot_verified.expansion.from_state.barrier import (
     layer,
     layer_integral,
     paid,
-    place_of,
     source,
     start_bound,
     times,
@@ -31,7 +30,6 @@ from gspot_verified.numbers.balls import add_remainder, ball, hull
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
-_ONE: Exponents = (fmpq(0), fmpq(0))
 _P: Exponents = (fmpq(0), fmpq(2))
 
 
@@ -104,7 +102,7 @@ def affine_tube(
     below = 1 - sums.fall
     if less(0, below) is None:
         return f"p does not certainly fall up to p = {given.p}"
-    rate = (sums.rate(growth.rate, ball(largest)) / below).upper()
+    rate = sums.rate(growth.rate, ball(largest)) / below
     damping = (ball(growth.damping) / (1 + sums.fall)).lower()
     barrier = paid(sums.source(below), rate, damping)
     if isinstance(barrier, str):
@@ -115,7 +113,7 @@ def affine_tube(
     first, last = start.z, layer(start, ball(rectangle.h), rate, damping)
     drift = path.integral(sums.drift(below))
     pushed = sums.pushed(below)
-    drift = (drift + pushed * (path.integral(barrier) + layer_integral(start, rectangle, rate, damping))).upper()
+    drift += pushed * (path.integral(barrier) + layer_integral(start, rectangle, rate, damping))
     slow = path.integral(sums.slow_drift())
     above, under = path.largest(_positive(series.w, 1)), path.largest(_positive(series.w, -1))
     tilted = ball(abs(system.tilt) * given.p)
@@ -168,7 +166,7 @@ class _Path:
     def __init__(self, rectangle: Rectangle, p: fmpq, e: fmpq) -> None:
         self._h, self._r = ball(rectangle.h), ball(p).sqrt()
         self._first = ball(e) / self._r**3
-        self._last = place_of(Start(p, e, arb(0), 1, fmpq(0)), self._h).sqrt()
+        self._last = (ball(e) / self._h).root(3)  # r where h = h_1
 
     def ends(self, key: Exponents) -> tuple[arb, arb]:
         """The monomial at p_1 and at the hand-over, for the largest e."""
