@@ -105,7 +105,5 @@ def _polynomials(functions: Sequence[Expression], dimension: int) -> list[fmpq_m
                 made[node] = (above ** abs(int(exponent)), below ** abs(int(exponent)))
             case _:
                 return None
-    if any(made[function][1].is_zero() for function in functions):
-        return None
     divided = [divmod(made[function][0], made[function][1]) for function in functions]
     return [quotient for quotient, _ in divided] if all(rest.is_zero() for _, rest in divided) else None

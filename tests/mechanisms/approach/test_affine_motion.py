@@ -2,14 +2,139 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from flint import fmpq
 
 from gspot_verified import load, mechanism_side
-from gspot_verified.expansion.from_state.affine_system import Affine
-from gspot_verified.mechanisms.approach.affine_motion import affine_system_of, with_explicit
+from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
+from gspot_verified.functions.expressions import Constant, Expression, Power, Sine, Variable
+from gspot_verified.mechanisms.approach.affine_motion import _polynomials, affine_system_of, with_explicit
+from gspot_verified.mechanisms.input.file import parse_mechanism
+
+TEXT = """
+format = 1
+name = "one with affine alphas"
+[parameters]
+alpha_1 = "-1/2"
+alpha_2 = -1
+alpha_3 = "-3/4"
+[fields]
+state = ["x", "u", "y", "v", "p", "b"]
+F = ["u", 0, "v", "b", "alpha_1 + p/5 + b", "alpha_2 - p + 2*b"]
+G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "(alpha_3 + 3*p)/(2*(1 - p))"]
+G_N = [0, "1/2", 0, "(1 + p)/2", 0, "-(alpha_3 + 3*p)/2"]
+[contact]
+x = "x"
+y = "y"
+mu = "1 - p"
+[g_spot]
+fixed = ["x", "u"]
+[g_spot.point]
+x = 0
+u = 1
+y = 0
+v = 0
+p = 0
+b = 0
+"""
+
+
+def found_in(*changes: tuple[str, str]) -> tuple[tuple[str, str], AffineSystem] | None:
+    text = TEXT
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    return affine_system_of(parse_mechanism(text))
+
+
+def test_each_slope_is_found() -> None:
+    found = found_in()
+    assert found is not None
+    assert found[0] == ("p", "b")
+    assert found[1].alpha_1 == Affine(fmpq(-1, 2), fmpq(1, 5), fmpq(1))
+    assert found[1].alpha_2 == Affine(fmpq(-1), fmpq(-1), fmpq(2))
+    assert found[1].alpha_3 == Affine(fmpq(-3, 4), fmpq(3))
+    turned = found_in(
+        ('"p", "b"]', '"b", "p"]'),
+        ('"alpha_1 + p/5 + b", "alpha_2 - p + 2*b"', '"alpha_2 - p + 2*b", "alpha_1 + p/5 + b"'),
+        ('0, "(alpha_3 + 3*p)/(2*(1 - p))"]', '"(alpha_3 + 3*p)/(2*(1 - p))", 0]'),
+        ('0, "-(alpha_3 + 3*p)/2"]', '"-(alpha_3 + 3*p)/2", 0]'),
+    )
+    assert turned == found
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('"alpha_1 + p/5 + b"', '"alpha_1 + x"'),
+        ('"alpha_1 + p/5 + b"', '"alpha_1 + p*b"'),
+        ('"alpha_2 - p + 2*b"', '"alpha_2 + u"'),
+        ("3*p", "y"),
+        ("alpha_1 + p/5", "sin(x) + alpha_1 + p/5"),
+        ("alpha_1 + p/5", "alpha_1/(1 + p)"),
+    ],
+)
+def test_alphas_of_another_kind_are_none(old: str, new: str) -> None:
+    assert found_in((old, new)) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("alpha_1", '"-1/2"', "0"),
+        ("alpha_1", '"-1/2"', '"1/2"'),
+        ("alpha_2", "-1", "0"),
+        ("alpha_2", "-1", '"1/2"'),
+        ("alpha_3", '"-3/4"', '"-1/4"'),
+        ("alpha_3", '"-3/4"', '"-1/2"'),
+        ("alpha_3", '"-3/4"', '"-1"'),
+    ],
+)
+def test_alphas_beside_the_theorem_are_none(name: str, old: str, new: str) -> None:
+    """alpha_1, alpha_2 < 0, alpha_3 < alpha_1, and not 2 alpha_1."""
+    assert found_in((f"{name} = {old}", f"{name} = {new}")) is None
+
+
+@pytest.mark.parametrize("value", ['"-5/4"', '"-3/2"'])
+def test_a_larger_beta_is_let_through(value: str) -> None:
+    found = found_in(('alpha_3 = "-3/4"', f"alpha_3 = {value}"))
+    assert found is not None
+    assert found[1].beta in (fmpq(5, 2), fmpq(3))
+
+
+def test_p_must_be_a_component_by_itself() -> None:
+    twice = found_in(
+        ("alpha_1 + p/5 + b", "(alpha_1 + b)/2"), ("alpha_2 - p", "alpha_2"), ("3*p", "3*q"),
+        ('"p", "b"]', '"q", "b"]'), ("p = 0", "q = 0"), ("1 - p", "1 - 2*q"), ("1 + p", "1 + 2*q"),
+    )  # fmt: skip
+    assert twice is None
+
+
+def test_rational_functions_that_are_polynomials() -> None:
+    x, y, one = Variable(0), Variable(1), Constant(fmpq(1))
+
+    def found(*functions: Expression) -> list[str] | None:
+        polynomials = _polynomials(functions, 2)
+        return None if polynomials is None else [str(one) for one in polynomials]
+
+    minus = Constant(fmpq(-1))
+    over = Power(one + y, fmpq(-1))
+    assert found((x * x + minus) * Power(x + minus, fmpq(-1))) == ["x0 + 1"]
+    assert found(x * over + x * y * over, Power(x, fmpq(3)), Power(x, fmpq(0))) == ["x0", "x0^3", "1"]
+    assert found(x * Power(one + y, fmpq(2)) * Power(one + y, fmpq(-2))) == ["x0"]
+    assert found(over + y * Power(one + y, fmpq(-1)) + x) == ["x0 + 1"]
+    assert found(over + Power(one + x, fmpq(-1)) * x) is None
+    assert found(Power(over, fmpq(-1))) == ["x1 + 1"]
+    assert found(over * x) is None
+    assert found(x * over) is None
+    assert found(x, over) is None
+    assert found(over, x) is None
+    assert found(Power(x, fmpq(1, 2))) is None
+    assert found(Sine(x)) is None
+    assert found(Power(x + minus * x, fmpq(-1))) is None
 
 
 def test_the_extended_system_is_affine() -> None:
@@ -34,7 +159,10 @@ def test_without_p_and_b_as_rational_numbers_nothing_is_added() -> None:
     state = {"x": 0, "u": 1, "p": "1/5", "b": "-1/50"}
     found = mechanism_side(mechanism, state)
     assert found.explicit is None
-    assert with_explicit(found, mechanism, {"x": 0, "u": 1, "y": 0, "v": 0}).explicit is None
+    assert with_explicit(found, mechanism, {"x": 0, "u": 1, "p": "1/5", "v": 0}) is found
+    assert with_explicit(found, load("oscillator"), state) is found
+    undecided = replace(found, side=None)
+    assert with_explicit(undecided, mechanism, state) is undecided
     told = with_explicit(found, mechanism, state)
     assert told.explicit is not None
     assert told.explicit.side is None
