@@ -54,3 +54,37 @@ def test_a_file_that_was_cut_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     kept._file.truncate(4)
     with pytest.raises(OSError, match="4 bytes of 10"):
         kept[0]
+
+
+def test_blocks_are_moved_when_there_are_so_many_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """From 8 bytes in memory on, each time; written in pieces of 3 bytes."""
+    monkeypatch.setattr(kept_blocks, "_IN_MEMORY", 8)
+    true, written = os.pwrite, list[int]()
+
+    def slowly(descriptor: int, data: bytes, place: int) -> int:
+        written.append(place)
+        return true(descriptor, data[:3], place)
+
+    monkeypatch.setattr(kept_blocks.os, "pwrite", slowly)
+    kept = KeptBlocks()
+    for data, places in ((b"1234567", []), (b"8", [0, 3, 6]), (b"abcdefg", []), (b"", []), (b"hi", [8, 11, 14])):
+        kept.append(data)
+        assert written == places
+        written.clear()
+    assert list(kept) == [b"1234567", b"8", b"abcdefg", b"", b"hi"]
+
+
+def test_after_a_full_disk_it_is_not_tried_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kept_blocks, "_IN_MEMORY", 1)
+    tried: list[int] = []
+
+    def full(_: int, data: bytes, __: int) -> int:
+        tried.append(len(data))
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(kept_blocks.os, "pwrite", full)
+    kept = KeptBlocks()
+    for data in (b"one", b"two", b"three"):
+        kept.append(data)
+    assert tried == [3]
+    assert list(kept) == [b"one", b"two", b"three"]
