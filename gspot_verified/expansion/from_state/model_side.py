@@ -59,8 +59,6 @@ class ModelSide(NoTruthValue, Written):
         :raises ValueError: epsilon is not in (0, epsilon_0], or nothing is proved.
         """
         small = rational(epsilon, "epsilon")
-        if not self.ends:
-            raise ValueError("nothing is proved")
         if not (small > 0 and small <= self.epsilon):
             raise ValueError(f"epsilon must lie in (0, {self.epsilon}], got {small}")
         with working_bits(BITS):

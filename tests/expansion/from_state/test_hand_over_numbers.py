@@ -16,7 +16,7 @@ from mpmath import mpf
 
 from gspot_verified.expansion.from_state.barrier import Start, Tube
 from gspot_verified.expansion.from_state.fast_growth import Rectangle
-from gspot_verified.expansion.from_state.hand_over import HandOver, carried, evaluated, hand_over_set
+from gspot_verified.expansion.from_state.hand_over import Beside, HandOver, carried, evaluated, framed, hand_over_set
 from gspot_verified.expansion.from_state.passage import model_system
 from gspot_verified.expansion.from_state.slow_series import Contact, H, R, SlowSeries, slow_series, terms_of
 from gspot_verified.expansion.series.regularisation import Regularisation
@@ -28,11 +28,13 @@ from gspot_verified.numbers.evidence import less
 BETA, A, FAR, DELTA = fmpq(7, 3), fmpq(1, 2), fmpq(9, 2), fmpq(1, 20)
 H_1 = fmpq(4, 27)  # (a S^3)^(-1/2): the tube ends where the set is handed over
 SPRINGS = Regularisation.of(2, 3, "1/2")
-KAPPA, LAG = mpf(6) / 5, mpf(9) / 50  # kappa, l/g
+with mpmath.workdps(50):
+    KAPPA, LAG = mpf(6) / 5, mpf(9) / 50  # kappa, l/g
 SERIES = slow_series(BETA, Contact.of(SPRINGS), 3)
 OTHER = replace(SERIES, v=-2 * SERIES.v, f=20 * H)  # any polynomials are right: here f and -v are large
 SHARES = (arb("1.25"), arb("1.5"), arb("0.75"))
-SIZE = (mpf(9) / 4) ** (mpf(4) / 3)  # (a S)^(beta - 1)
+with mpmath.workdps(50):
+    SIZE = (mpf(9) / 4) ** (mpf(4) / 3)  # (a S)^(beta - 1)
 ROOT = mpf(3) / 2  # sqrt(a S)
 
 
@@ -219,3 +221,44 @@ def test_the_tube_must_reach_the_hand_over_and_this_epsilon() -> None:
     for short in (tube("0.05", h=H_1 * bit), tube("0.05", e=A * DELTA**3 * bit)):
         with pytest.raises(ValueError, match="ends before"):
             hand_over_set(equations(), short, SERIES, arb(1), FAR)
+
+
+BESIDE = ("0.05", "0.4", "0.3", "0.2", "0.01", "0.02", "0.03", "0.04")  # b, y, v, phi, and the state
+
+
+@pytest.mark.parametrize("c_1", ["-0.75", "0.5"])
+@pytest.mark.parametrize("bits", [160, 24])
+def test_what_the_reference_differs_by_is_added_with_any_sign(c_1: str, bits: int) -> None:
+    """(17): a reference beside Theorem 1 moves the corners; each bound is attained by some signs."""
+    reached, fast, most = [mpf(0)] * 8, mpf(0), mpf("1.06")
+    for signs in product((1, -1), repeat=8):
+        more = [arb(value) * sign for value, sign in zip(BESIDE, signs, strict=True)]
+        own = [in_mpmath(one) for one in more]
+        with working_bits(bits):
+            beside = Beside(more[0], more[1], more[2], more[3], (more[4], more[5], more[6], more[7]))
+            found = framed(equations(), SERIES, SHARES, arb("0.015625"), arb(c_1), arb("2.25"), beside)
+        column = [in_mpmath(found.frame[i, 5]) for i in range(8)]
+        radii = [in_mpmath(one) for one in found.radii]
+        for x in ((1, 1, 1), (-1, -1, -1), (1, -1, 1)):
+            e, phi = corner(mpf(c_1), mpf(1) / 64, number(DELTA), (x[0], x[1], x[2]))
+            square = number(DELTA) ** 2
+            factors = (mpf(0), own[0], square**2 * own[1], square * own[2], mpf(0), own[0], own[1], own[2])
+            e = [one + part for one, part in zip(e, factors, strict=True)]
+            for i in range(4):
+                e[i] += own[4 + i]
+            share = e[5] / column[5]
+            u = [abs(one - share * column[i]) if i != 5 else abs(share - 1) for i, one in enumerate(e)]
+            assert all(one <= radius + mpf(10) ** -40 for one, radius in zip(u, radii, strict=True))
+            assert abs(phi + own[3]) <= in_mpmath(found.fast)
+            reached = [max(old, one) for old, one in zip(reached, u, strict=True)]
+            fast = max(fast, abs(phi + own[3]))
+    for i in (0, 1, 2, 3, 5, 6, 7):
+        assert radii[i] <= most * reached[i], i
+    assert in_mpmath(found.fast) <= most * fast
+
+
+def test_the_bound_is_taken_at_the_largest_r() -> None:
+    one = replace(tube("0.05"), barrier={(2, 1): arb(1)})
+    found = hand_over_set(equations(), one, SERIES, arb(1), FAR)
+    wanted = number(H_1) ** 2 * ROOT * number(DELTA)
+    assert wanted <= in_mpmath(found.z) < wanted * (1 + mpf(10) ** -8)

@@ -269,3 +269,23 @@ def test_its_distinguished_trajectory_is_exact() -> None:
         first, *others = trajectory.terms()[name]
         assert list(first.coefficients()) == ([value] if name == "lambda_n" else [0, value])
         assert all(not any(one.coefficients()) for one in others)
+
+
+def test_where_one_place_leads_to_no_end_the_next_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whether it fails before the hand-over or after it; what the first one failed by is said."""
+    ended = object.__new__(Passage)
+
+    def from_plan(_: Any, __: Any, choices: Any) -> Any:
+        return "no tube" if choices == ["a"] else (choices[0], None)
+
+    monkeypatch.setattr(module, "tube_from", from_plan)
+    monkeypatch.setattr(module, "DeviationEquations", lambda *_: None)
+    monkeypatch.setattr(module, "_ended", lambda *given: ended if given[3] == "c" else "no end")
+
+    def found(*names: str) -> Any:
+        monkeypatch.setattr(module, "plans", lambda *_: [[name] for name in names])
+        return passage(start_with(), RESIDUALS, fmpq(0), DELTA, fmpq(10))  # type: ignore[arg-type]
+
+    assert found("a", "b", "c") is ended
+    assert found("b", "a") == "no end"
+    assert found("a", "b") == "Theorem B: no tube"

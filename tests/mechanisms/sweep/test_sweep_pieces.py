@@ -8,6 +8,7 @@ from itertools import product
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified.mechanisms.sweep import sweep_pieces
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece, TubeRecord
 from gspot_verified.mechanisms.sweep.sweep_pieces import OTHER, PieceStore, Said, SweptPieces, packed
@@ -107,6 +108,17 @@ def test_pieces_in_their_order(store: PieceStore, order: list[int]) -> None:
     assert sum(pieces.counts().values()) == len(true)
     assert [each for part in pieces.portions() for each in pickle.loads(pickle.dumps(part))] == true
     assert pickle.loads(pickle.dumps(pieces)) == true == SweptPieces.of(GRID.axes, true)
+
+
+def test_pieces_go_in_portions_that_hold_all(store: PieceStore, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sweep_pieces, "_TOGETHER", 2)
+    pieces = SweptPieces(store, range(9))
+    assert [len(list(part)) for part in pieces.portions()] == [2, 2, 2, 2, 1]
+    assert list(pieces) == ALL[:9]
+
+
+def test_pieces_are_no_number(store: PieceStore) -> None:
+    assert (SweptPieces(store, range(2)) == 2) is False
 
 
 def test_corners_are_those_of_all_cells() -> None:
