@@ -68,9 +68,10 @@ _METHODS = """
     cos_pi cosh degree denominator derivative det entries evaluate exp expm1 fac_ui floor gamma gamma_fmpq gcd
     gens get height_bits hypgeom imag integral intersection inv is_constant is_exact is_finite is_one is_prime
     is_zero lcm leading_coefficient length lgamma log log1p lower man_exp max mid min name names nan ncols numerator
-    overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi sinc_pi
-    sinh sqrt str subs table terms truncate union unique_fmpz upper
-    from_dict to_dict compose project_to_context total_degree discriminant context ordering is_nan repr
+    overlaps p pi pos_inf prec q rad real rel_accuracy_bits rgamma rising rising_fmpq_ui root sgn sin sin_pi
+    sin_pi_fmpq sinc_pi sinh sqrt str subs table terms truncate union unique_fmpz upper
+    from_dict to_dict compose project_to_context total_degree discriminant context ordering is_nan nvars
+    repr
     coefficient complex_roots degrees factor ncols nrows rank right_shift solve tolist transpose denom left_shift numer
 """
 METHODS = frozenset(_METHODS.split())
@@ -568,12 +569,12 @@ def test_more_on_polynomials_in_several_variables() -> None:
     assert cubic.discriminant("x") == (y * (y + 1) * (2 * y + 1)) ** 2
 
 
-@covers("context", "ordering")
+@covers("context", "ordering", "nvars")
 def test_a_polynomial_knows_its_symbols_and_their_order() -> None:
     for order in ("lex", "deglex", "degrevlex"):
         context = fmpq_mpoly_ctx.get(("x", "y"), order)
         x, y = context.gens()
-        assert (x * y + 1).context() is context
+        assert (x * y + 1).context() is context and context.nvars() == 2
         assert fmpq_mpoly_ctx.get(context.names(), context.ordering()) is context
         assert fmpq_mpoly_ctx.get(("y", "x"), context.ordering()) is not context
 
@@ -1157,7 +1158,7 @@ def test_functions_of_wide_balls(name: str) -> None:
             assert_encloses(value, reference(independent, inside))
 
 
-@covers("pi", "root", "gamma_fmpq", "rising", "rising_fmpq_ui")
+@covers("pi", "root", "gamma_fmpq", "sin_pi_fmpq", "rising", "rising_fmpq_ui")
 @pytest.mark.parametrize("bits", [30, 64, 200, 400])
 def test_special_values(bits: int) -> None:
     with working_bits(bits):
@@ -1169,6 +1170,8 @@ def test_special_values(bits: int) -> None:
             assert_encloses(arb(to_fmpq(number)).root(degree), expected, bits - 10)
         for number in (*_NO_POLE, F(7, 24), F(-19, 6), F(1, 60), F(100, 3)):
             assert_encloses(arb.gamma_fmpq(to_fmpq(number)), reference(mpmath.gamma, number), bits - 16)
+        for number in _ANY:
+            assert_encloses(arb.sin_pi_fmpq(to_fmpq(number)), reference(mpmath.sinpi, number), bits - 16)
         for count in (0, 1, 5, 20, 21, 100):
             assert_encloses(arb.fac_ui(count), Fraction(math.factorial(count)), bits - 8)
         for number, count in itertools.product((F(1, 3), F(-5), F(-7, 2), F(10**9)), (0, 1, 2, 7, 30)):
