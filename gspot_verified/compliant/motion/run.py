@@ -51,8 +51,8 @@ class Event(NoTruthValue, Written):
     """Lift-off, touch-down, or the time from which the contact is known to last for ever.
 
     It happens in [lower, upper], times measured from the G-spot (p = alpha_1 t). ``velocity``: v there, in the units of
-    the paper; ``strength`` says what is proved, by ``evidence``; ``state``: a ball of the whole state, in the normal
-    form.
+    the paper, not finite where the balls got too wide; ``strength`` says what is proved, by ``evidence``; ``state``: a
+    ball of the whole state, in the normal form.
     """
 
     ask: ClassVar[str] = ".strength says what is proved"
@@ -95,7 +95,10 @@ class CompliantRun(NoTruthValue, Written):
             with working_bits(_TEXT_BITS):
                 since = hull([arb(event.lower - self.start), arb(event.upper - self.start)])
                 shown = since.str(_SHOWN_DIGITS)
-            lines.append(f"  {event.name}: {shown} after the start, v = {ball_text(event.velocity, _SHOWN_DIGITS)}")
+            velocity = f"v = {ball_text(event.velocity, _SHOWN_DIGITS)}"
+            if not event.velocity.is_finite():
+                velocity = "v has no enclosure"
+            lines.append(f"  {event.name}: {shown} after the start, {velocity}")
             lines.append(f"    {event.strength}")
         return "\n".join(lines)
 

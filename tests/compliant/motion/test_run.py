@@ -95,6 +95,15 @@ def test_more_digits_give_nested_brackets() -> None:
     assert fine.events[1].upper - fine.events[1].lower < fmpq(1, 10**22)
 
 
+def test_a_lift_off_whose_velocity_is_not_enclosed_says_so() -> None:
+    model = compliant_model(2, "1/300", alpha_2=0)
+    run = events(model, compliant_state("5/16", "-185/512", "-1/30000", "-17/4800", "-7/720000"), flights=1)
+    assert run.verdict.outcome is Outcome.UNDECIDED
+    assert [event.velocity.is_finite() for event in run.events] == [True, True, False]
+    assert "after the start, v has no enclosure" in str(run)
+    assert "no information" not in str(run)
+
+
 def test_units_other_than_the_normal_form() -> None:
     """alpha_1 = -2: t' = 2 t; b, lambda are four times as large, v twice."""
     one = run_of("3/2", "2", "1e-6")
