@@ -8,7 +8,7 @@ import sys
 import threading
 import warnings
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import partial
 from multiprocessing import Pipe
 from pathlib import Path
@@ -17,6 +17,14 @@ from typing import Any
 import pytest
 
 from gspot_verified.certificates.text import certificate_text
+from gspot_verified.mechanisms.load import load
+from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_result import Sweep
+from gspot_verified.mechanisms.table.approach_table import approach_table
+from gspot_verified.mechanisms.table.approached_row import ApproachedRow
+from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
+from gspot_verified.mechanisms.table.classify_table import classify_table
+from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
 from gspot_verified.work import executors
@@ -236,6 +244,29 @@ def test_a_dask_cluster_that_loses_a_worker(cluster: Any, expected: str) -> None
         result = zeros_on_range("2..4", executor=pool, progress=kill_one)
     assert len(killed) == 1
     assert text_of(result) == expected
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning", "ignore::UserWarning")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning", "ignore::RuntimeWarning")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_a_dask_cluster_gives_the_same_tables_and_sweeps(cluster: Any) -> None:
+    oscillator, model = load("oscillator"), load("model system")
+    over = {"beta": "9/4..15/4:40"}  # two portions
+    values = [{"beta": f"{number}/32"} for number in range(70, 140)]
+    states = [{"b": str(number)} for number in (-2, -3, -4, 2, -5)]
+
+    def found(pool: Executor) -> tuple[Sweep, list[ClassifiedRow], list[ApproachedRow]]:
+        swept = sweep(oscillator, over, executor=pool)
+        classified = classify_table(oscillator, values, executor=pool)
+        approached = approach_table(model, states, {"x": 0, "u": 3, "p": "1/2"}, executor=pool)
+        return swept, list(classified), list(approached)
+
+    with executor(scheduler=cluster.scheduler_address) as pool:
+        there = found(pool)
+    assert there == found(InProcessExecutor())
+    assert {row.outcome for row in there[1]} == {"settled", "undecided"}
+    assert {row.outcome for row in there[2]} >= {"settled", "refused"}
+    assert there[0].verdict.outcome is Outcome.PROVED
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning", "ignore::UserWarning")
