@@ -123,13 +123,14 @@ def cover_by_boxes(parts: Iterable[Box], whole: Box) -> Evidence | None:
     if not whole[0]:
         return None
     (lower, *low), (upper, *high) = whole
-    count, slabs, reached, waiting = 0, lower < upper, lower, list[Box]()
+    count, tried, reached, waiting = 0, 0, lower, list[Box]()
     far = lower  # where the first component of those that wait ends
     for first, last in parts:
-        if slabs and count and far <= first[0]:
-            slabs = _covers(waiting, ((reached, *low), (far, *high)))
-            if slabs:
+        # One that begins there may stand beside others of its slab: what was tried in vain waits for as many again.
+        if reached < far <= first[0] and len(waiting) >= 2 * tried:
+            if _covers(waiting, ((reached, *low), (far, *high))):
                 reached, waiting = far, []
+            tried = len(waiting)
         waiting.append((first, last))
         count += 1
         if far < last[0]:

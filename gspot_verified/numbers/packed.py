@@ -29,7 +29,19 @@ class PackedIntervals(Sequence[Dyadic | None]):
         self._data = b"".join(map(_written, intervals))
 
     def __reduce__(self) -> tuple[object, tuple[bytes]]:
-        return _of_bytes, (self._data,)
+        return PackedIntervals.of_bytes, (self._data,)
+
+    @classmethod
+    def of_bytes(cls, data: bytes) -> PackedIntervals:
+        """The sequence with this :attr:`data`."""
+        made = cls.__new__(cls)
+        made._data = data
+        return made
+
+    @property
+    def data(self) -> bytes:
+        """All of it."""
+        return self._data
 
     def __iter__(self) -> Iterator[Dyadic | None]:
         place = 0
@@ -62,12 +74,6 @@ class PackedIntervals(Sequence[Dyadic | None]):
 
     def __repr__(self) -> str:
         return f"PackedIntervals({list(self)!r})"
-
-
-def _of_bytes(data: bytes) -> PackedIntervals:
-    made = PackedIntervals(())
-    made._data = data
-    return made
 
 
 def _written(interval: Dyadic | None) -> bytes:

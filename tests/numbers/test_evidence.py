@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from collections.abc import Sequence
 from fractions import Fraction
 
 import pytest
@@ -11,7 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples.strategies import to_fmpq
 
+from gspot_verified.numbers import evidence
 from gspot_verified.numbers.evidence import (
+    Box,
     Ends,
     answered,
     at_most,
@@ -172,6 +175,27 @@ def test_slab_after_slab_every_box_is_needed(left_out: int | None) -> None:
     for order in (boxes, [*boxes[4:], *boxes[:4]], boxes[::-1]):
         assert (cover_by_boxes(order, whole) is not None) is (left_out is None)
         assert (cover_by_boxes(iter(order), whole) is not None) is (left_out is None)
+
+
+def test_no_more_than_some_slabs_are_looked_at_together(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where a slab begins with a box that is divided along the first component."""
+    columns, rows, half = 12, 10, fmpq(1, 2)
+    boxes = []
+    for i in map(fmpq, range(columns)):
+        boxes += [((i, fmpq(0)), (i + half, fmpq(1))), ((i + half, fmpq(0)), (i + 1, fmpq(1)))]
+        boxes += [((i, fmpq(j)), (i + 1, fmpq(j + 1))) for j in range(1, rows)]
+    sizes, own = list[int](), evidence._covers
+
+    def counted(parts: Sequence[Box], whole: Box) -> bool:
+        sizes.append(len(parts))
+        return own(parts, whole)
+
+    monkeypatch.setattr(evidence, "_covers", counted)
+    whole = (fmpq(0), fmpq(0)), (fmpq(columns), fmpq(rows))
+    assert cover_by_boxes(boxes, whole) is not None
+    assert max(sizes) == rows + 1
+    for left_out in range(len(boxes)):
+        assert cover_by_boxes(boxes[:left_out] + boxes[left_out + 1 :], whole) is None
 
 
 def test_a_whole_without_width_is_covered_where_its_side_is() -> None:

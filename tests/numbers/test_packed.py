@@ -30,7 +30,7 @@ def test_what_is_packed_comes_back(given: list[Dyadic | None]) -> None:
     assert len(packed) == len(given)
     assert [packed[k] for k in range(len(given))] == given
     assert packed[-2:] == tuple(given[-2:])
-    for again in (pickle.loads(pickle.dumps(packed)), copy.deepcopy(packed), PackedIntervals(packed)):
+    for again in (pickle.loads(pickle.dumps(packed)), copy.deepcopy(packed), PackedIntervals.of_bytes(packed.data)):
         assert again == packed
         assert hash(again) == hash(packed)
 

@@ -5,8 +5,9 @@ Any choice is correct: what a part says comes from its own examination, and the 
 
 from __future__ import annotations
 
+import math
 from array import array
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import islice
 
 from flint import arb, fmpq
@@ -37,6 +38,7 @@ class Patchwork:
         self._grid, self._equations, self._place, self._spot = grid, equations, place, spot
         self._whole = _volume(tuple(axis.lower for axis in grid.axes), tuple(axis.upper for axis in grid.axes))
         self._line = len(grid.axes) == 1
+        self._row = math.prod(axis.cells for axis in grid.axes[1:])
         self._starting = {grid.number(index) for index in grid.cells_at(place)}
         self._links = Links(self.store, equations, place, spot)
         self._parts: dict[int, list[int]] = {}  # of the cells where pieces were replaced
@@ -46,15 +48,19 @@ class Patchwork:
 
     def add_cells(self, block: Block, groups: Sequence[int]) -> None:
         """The pieces of the next cells, with the groups of :func:`groups_in_a_row`."""
-        first = len(self.store.ends) - 1
+        ends = self.store.ends
+        first = len(ends) - 1
         self._links.add(block, groups)
-        for cell in range(first, first + len(block.counts)):
-            own = self._in_cell(cell)
-            for other in map(self._grid.number, self._grid.neighbours(self._grid.index(cell))):
-                if other < first or other < cell - 1:  # the last cell of the same block was looked at there
-                    self._links.link(own, self._in_cell(other))
-            if cell in self._starting:
-                self._links.begin(own)
+        cells = range(first, first + len(block.counts))
+        for cell in cells[:1] if self._line else cells:
+            for step in self._steps(cell):
+                if cell == first or step > 1:  # the last cell of the same block was looked at there
+                    self._links.link(self._in_cell(cell), self._in_cell(cell - step))
+            row_begins = cell == first or cell % self._row == 0
+            if row_begins and self._links.are_one(ends[max(first - self._row, 0)], ends[-1]):
+                break  # no other link says more
+        for cell in self._starting.intersection(cells):
+            self._links.begin(self._in_cell(cell))
 
     def replace(self, numbers: Sequence[int], block: Block, groups: Sequence[int]) -> None:
         """Put the parts of some pieces in their places. One that did not fall into parts is divided again only where
@@ -151,6 +157,14 @@ class Patchwork:
                 return True
             least = _SMALLEST_AT_ENDS
         return bool(_volume(*self.store.box(number)) < least * self._whole)
+
+    def _steps(self, cell: int) -> Iterator[int]:
+        """How far before a cell those stand that share a side with it."""
+        step = 1
+        for axis in reversed(self._grid.axes):
+            if cell // step % axis.cells:
+                yield step
+            step *= axis.cells
 
     def _in_cell(self, cell: int) -> Sequence[int]:
         return self._parts.get(cell) or range(self.store.ends[cell], self.store.ends[cell + 1])

@@ -120,6 +120,10 @@ class Links:
                     self._joined.join(own, self._groups[other])
                     own = self._joined.of(own)
 
+    def are_one(self, start: int, stop: int) -> bool:
+        """Whether all pieces from one number up to another are in one group."""
+        return len({*map(self._joined.of, {*self._groups[start:stop]})}) == 1
+
     def begin(self, numbers: Iterable[int]) -> None:
         """Look which of the pieces hold the spot where it is known."""
         for number in numbers:

@@ -17,7 +17,10 @@ from typing import Any, NamedTuple, overload
 
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
 from gspot_verified.mechanisms.sweep.sweep_piece import NO_NUMBERS, Box, Kind, Passing, SweepPiece, TubeRecord
+from gspot_verified.numbers.packed import PackedIntervals
 from gspot_verified.work.kept_blocks import KeptBlocks
+
+_Row = tuple[bytes, tuple[int, bytes] | None]  # of a piece the numbers and the tube
 
 OTHER = "the continued spot"
 """What is unsure on a piece that may hold another spot: its numbers are not said."""
@@ -64,7 +67,7 @@ class Block(NamedTuple):
 def packed(pieces_by_cell: Sequence[Sequence[SweepPiece]], cells: Sequence[Box] = ()) -> Block:
     """A block. ``cells``: those of the grid, one for each list; nothing where they are none of the grid."""
     said: dict[Said, int] = {}
-    codes, boxes, rows = array("I"), list[Box](), list[tuple[Any, Any]]()
+    codes, boxes, rows = array("I"), list[Box](), list[_Row]()
     for k, pieces in enumerate(pieces_by_cell):
         for piece in pieces:
             whole = bool(cells) and piece.box == cells[k]
@@ -72,7 +75,7 @@ def packed(pieces_by_cell: Sequence[Sequence[SweepPiece]], cells: Sequence[Box] 
                 boxes.append(piece.box)
             codes.append(said.setdefault(_said(piece, whole), len(said)))
             record = piece.record
-            rows.append((piece.numbers, None if record is None else (record.unknowns, record.sides)))
+            rows.append((piece.numbers.data, None if record is None else (record.unknowns, record.sides.data)))
     counts = array("I", map(len, pieces_by_cell))
     return Block(tuple(said), codes, counts, bool(cells), pickle.dumps(boxes), pickle.dumps(rows))
 
@@ -95,23 +98,25 @@ class PackedBlock(NamedTuple):
     def pieces(self, grid: Grid) -> list[SweepPiece]:
         """The pieces, as they were; where another spot may be meant without their numbers."""
         boxes, rows, found = iter(pickle.loads(self.boxes)), pickle.loads(self.data), []
-        for code, cell, (numbers, record) in zip(self.codes, self.cells, rows, strict=True):
+        for code, cell, row in zip(self.codes, self.cells, rows, strict=True):
             what = self.said[code]
-            lower, upper = grid.ends(grid.index(cell)) if what.whole else next(boxes)
-            piece = SweepPiece(
-                lower=lower,
-                upper=upper,
-                kind=what.kind,
-                case=what.case,
-                lift_off_sign=what.lift_off_sign,
-                impact_sign=what.impact_sign,
-                unsure=what.unsure,
-                passing=what.passing,
-                numbers=NO_NUMBERS if what.unsure == (OTHER,) else numbers,
-                record=None if record is None else TubeRecord(*record),
-            )
-            found.append(piece)
+            found.append(_piece(what, grid.ends(grid.index(cell)) if what.whole else next(boxes), row))
         return found
+
+
+def _piece(what: Said, box: Box, row: _Row) -> SweepPiece:
+    numbers, record = row
+    return SweepPiece(
+        *box,
+        kind=what.kind,
+        case=what.case,
+        lift_off_sign=what.lift_off_sign,
+        impact_sign=what.impact_sign,
+        unsure=what.unsure,
+        passing=what.passing,
+        numbers=NO_NUMBERS if what.unsure == (OTHER,) else PackedIntervals.of_bytes(numbers),
+        record=None if record is None else TubeRecord(record[0], PackedIntervals.of_bytes(record[1])),
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +145,7 @@ class PieceStore:
         self._known: dict[Said, int] = {}
         self._starts = array("I")
         self._blocks = KeptBlocks()
-        self._pieces: dict[int, list[SweepPiece]] = {}
+        self._rows: dict[int, list[_Row]] = {}
         self._boxes: dict[int, dict[int, Box]] = {}
 
     def __len__(self) -> int:
@@ -168,7 +173,6 @@ class PieceStore:
             what = self.what(number)
             if what.kind is not Kind.NO_TUBE:
                 self.codes[number] = self._code(Said(Kind.OPEN, unsure=(OTHER,), whole=what.whole))
-        self._pieces.clear()
 
     def cell(self, number: int) -> int:
         """The number of the cell of the grid in which a piece was found first."""
@@ -186,9 +190,9 @@ class PieceStore:
 
     def __getitem__(self, number: int) -> SweepPiece:
         block = self.block(number)
-        if block not in self._pieces:
-            _keep(self._pieces, block, self._packed(block).pieces(self.grid))
-        return self._pieces[block][number - self._starts[block]]
+        if block not in self._rows:
+            _keep(self._rows, block, pickle.loads(self._blocks[2 * block + 1]))
+        return _piece(self.what(number), self.box(number), self._rows[block][number - self._starts[block]])
 
     def block(self, number: int) -> int:
         """The number of the block that holds a piece."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import groupby
 from typing import Any, ClassVar
@@ -95,6 +95,7 @@ class Sweep(NoTruthValue, Written):
     folds: tuple[Fold, ...] = ()
     notes: tuple[str, ...] = ()
     budget: int | None = None
+    _verdict: list[Verdict] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         """All pieces are kept in the same way."""
@@ -120,6 +121,11 @@ class Sweep(NoTruthValue, Written):
     def verdict(self) -> Verdict:
         """Proved when Case and side are settled on some piece, and nothing is left but brackets in which one quantity
         passes zero; of two parameters, pieces on which one may, and is monotone."""
+        if not self._verdict:  # what it covers is looked through once
+            self._verdict.append(self._judged())
+        return self._verdict[0]
+
+    def _judged(self) -> Verdict:
         over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)
         on_line = "brackets where one quantity passes zero or the spot vanishes"
         besides = on_line if len(self.axes) == 1 else "pieces along curves where one quantity may pass zero"

@@ -109,6 +109,19 @@ def root(left: int, right: int, low: int = 0, high: int = 4, spot: int = 0) -> S
     return replace(own, record=TubeRecord.of(tube))
 
 
+def test_a_row_with_a_gap_is_linked_beyond_it_by_the_next_rows() -> None:
+    """Also where these come together, as one group."""
+    grid = Grid((Axis("k", fmpq(0), fmpq(3), 3), Axis("l", fmpq(0), fmpq(3), 3)))
+    boxes = [grid.ends(index) for index in grid.indices()]
+    corners = [(4 * i, 4 * i + 4, 4 * j, 4 * j + 4) for i, j in grid.indices()]
+    cells = [[piece(*ends) if number == 1 else root(*ends)] for number, ends in enumerate(corners)]
+    patchwork = Patchwork(grid, SQUARE, PLACE, SPOT)
+    with working_bits(80):
+        patchwork.add_cells(packed(cells[:3], boxes[:3]), range(3))
+        patchwork.add_cells(packed(cells[3:], boxes[3:]), [0] * 6)
+    assert patchwork.own() == [number != 1 for number in range(9)]
+
+
 def own(patchwork: Patchwork) -> list[int]:
     held = patchwork.own()
     return [number for number in patchwork.order() if held[number]]

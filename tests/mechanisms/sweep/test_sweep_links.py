@@ -11,8 +11,10 @@ from flint import arb, fmpq
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Variable
 from gspot_verified.mechanisms.sweep import sweep_links
-from gspot_verified.mechanisms.sweep.sweep_links import Groups, common_place, groups_in_a_row, same_zero
+from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid
+from gspot_verified.mechanisms.sweep.sweep_links import Groups, Links, common_place, groups_in_a_row, same_zero
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord
+from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, Tube
 from gspot_verified.numbers.balls import working_bits
@@ -81,6 +83,26 @@ def test_what_is_joined_stays_joined() -> None:
     assert [groups.of(number) for number in range(5)] == [0, 0, 0, 3, 0]
 
 
+def test_pieces_are_one_where_all_groups_between_are_joined(monkeypatch: pytest.MonkeyPatch) -> None:
+    line = Grid((Axis("k", fmpq(1), fmpq(8), 7),))
+    links = Links(PieceStore(line), ROOT, [fmpq(1)], [arb(1)])
+    cells = [[root(k, k + 1, sign)] for k, sign in zip(range(1, 7), (1, 1, -1, -1, 1, 1), strict=True)]
+    with working_bits(80):
+        links.add(packed(cells), groups_in_a_row(ROOT, cells))
+        one = [(a, b) for a in range(7) for b in range(a, 7) if links.are_one(a, b)]
+        assert one == [(0, 1), (0, 2), (1, 2), (2, 3), (2, 4), (3, 4), (4, 5), (4, 6), (5, 6)]
+        for piece in (1, 3):  # the two roots are not the same
+            links.link([piece], [piece + 1])
+        assert not links.are_one(0, 6)
+        links.add(packed([[root(7, 8)]]), [0])
+        assert not links.are_one(5, 7)
+        links.link([6], [4, 5])
+        assert links.are_one(4, 7)
+        assert not links.are_one(3, 7)
+    monkeypatch.setattr(sweep_links, "same_zero", None)
+    links.link([4, 5, 6], [4, 5, 6])  # is not asked again
+
+
 def level(radius: str, found: str) -> Tube:
     """Around 2 over [3, 5]; its zero is said to lie within ``found`` of 2."""
     return Tube((fmpq(3),), (fmpq(5),), (arb(2),), ((arb(0),),), (arb(0, radius),), (arb(0, found),))
@@ -104,3 +126,6 @@ def test_a_zero_in_between_decides_where_what_is_found_is_too_wide(monkeypatch: 
         assert not same_zero(ROOT, apart, second, place)
         monkeypatch.setattr(sweep_links, "proved_tube", lambda *_: None)
         assert not same_zero(ROOT, *wide, place)
+        one_way = level("0.5", "0.49"), level("0.45", "0.1")  # the first holds what the second found
+        assert same_zero(ROOT, *one_way, place)
+        assert same_zero(ROOT, *reversed(one_way), place)

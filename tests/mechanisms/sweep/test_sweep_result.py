@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
+from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -11,11 +14,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.sweep import sweep_result
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep, ZeroOnLine
-from gspot_verified.numbers.verdict import Outcome, Reason
+from gspot_verified.numbers.evidence import Box, cover_by_boxes
+from gspot_verified.numbers.verdict import Evidence, Outcome, Reason
 from gspot_verified.signs.gamma.side import side_text
 
 
@@ -38,6 +43,26 @@ def test_what_is_not_certain_is_not_called_once() -> None:
         crossing = ZeroOnLine("alpha_1", fmpq(0), fmpq(1), 1, before, after)
         assert not crossing.proved
         assert "at most once" in crossing.text("k")
+
+
+def test_the_range_is_looked_through_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The verdict stays, also in another process; a result that is made of this one has its own."""
+    asked: list[int] = []
+
+    def counted(parts: Iterable[Box], whole: Box) -> Evidence | None:
+        asked.append(1)
+        return cover_by_boxes(parts, whole)
+
+    monkeypatch.setattr(sweep_result, "cover_by_boxes", counted)
+    result = sweep(shipped_mechanism("oscillator"), {"beta": "9/4..11/4:4"})
+    assert str(result).startswith(str(result.verdict))
+    assert result.verdict.outcome is Outcome.PROVED
+    assert len(asked) == 1
+    again = pickle.loads(pickle.dumps(result))
+    assert again == result
+    assert again.verdict == result.verdict
+    assert len(asked) == 1
+    assert replace(result, pieces=result.pieces[:-1]).verdict.outcome is Outcome.UNDECIDED
 
 
 def test_stretches_join_neighbours() -> None:
