@@ -26,8 +26,8 @@ _LARGEST_RATIO = 1000  # of lambda_N to its first value: beyond it the trajector
 
 def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int = 12) -> Samples:
     """Enclosures at ``points`` equal steps of time from the start to ``until`` and at the ends of the brackets of
-    the events, as far as the run is known: to where the bracket of the touch-down begins, or where the force is 1000
-    times its first value; nothing where it is not known whether contact lasts.
+    the events, as far as the run is known: to where the bracket of the first touch-down begins, or where the force is
+    1000 times its first value; nothing where it is not known whether contact lasts.
 
     Each value lies within the radius of its midpoint, both floats.
 
@@ -56,7 +56,7 @@ def certified_samples(run: CompliantRun, until: fmpq, points: int, digits: int =
 
 
 def _times(run: CompliantRun, until: fmpq, points: int) -> list[fmpq]:
-    """In order, after the start; of the touch-down only where its bracket begins: nothing is known in it."""
+    """In order, after the start; of a touch-down only where its bracket begins: nothing is known in it."""
     ends = [run.start + until * k / (points - 1) for k in range(points)]
     for event in run.events:
         ends += [event.lower] if event.name == TOUCH_DOWN else [event.lower, event.upper]
@@ -80,8 +80,8 @@ def midpoint_and_radius(value: arb) -> tuple[float, float]:
 
 def _values(run: CompliantRun, time: fmpq, digits: int) -> tuple[str, list[arb]] | None:
     """The phase and p, b, y, v, z, lambda_N at one time, measured from the G-spot; None: it is not known."""
-    events = {event.name: event for event in run.events}
-    lift, land = events.get(LIFT_OFF), events.get(TOUCH_DOWN)
+    # The first of each name: the exact solution holds up to the first lift-off, the closed form in the flight after it.
+    lift, land = (next((event for event in run.events if event.name == name), None) for name in (LIFT_OFF, TOUCH_DOWN))
     if lift is None:
         if run.verdict.exit_code != 0:
             return None

@@ -21,7 +21,7 @@ from gspot_verified.scenes.certified import certified_samples as module
 from gspot_verified.scenes.certified.certified_samples import MAX_POINTS, certified_samples, midpoint_and_radius
 from gspot_verified.scenes.certified_run import exact_start
 from gspot_verified.scenes.floats.float_run import float_run
-from gspot_verified.scenes.scene.file import load_scene
+from gspot_verified.scenes.scene.file import load_scene, parse_scene
 
 COLUMNS = ("t", "p", "b", "y", "v", "z", "lambda_N")
 
@@ -46,6 +46,48 @@ def test_in_units_other_than_1_also_where_the_bracket_of_the_lift_off_is_wide() 
                 assert abs(seen.columns[name][places[round(time, 9)]] - middle) <= radius + 2e-7 * size, (name, time)
             assert 0 <= radius <= (1e-13 if found.phases[i] == "slip" else 1e-3) * size, (name, time)
     assert found.columns["b_radius"][-1] > 1e-6
+
+
+TWO_FLIGHTS = """
+format = 1
+name = "two flights"
+effects = ["compliant_contact", "lift_off"]
+epsilon = "1/50"
+until = "11/8"
+[parameters]
+alpha_1 = "-8/7"
+alpha_2 = -1
+beta = "31/8"
+[start]
+p = "649/1000"
+b = 0
+y = "-3/3500"
+v = "1/100"
+z = "-11/17500"
+"""
+
+
+def test_after_the_first_of_several_flights_no_sample_is_taken_from_the_first_contact() -> None:
+    """Lift-off at .0383 and again at .6228, touch-down at .4513 and at 7.59: the exact solution from the start holds up
+    to the first lift-off, the closed form up to the first touch-down. An uncertified run agrees."""
+    scene = parse_scene(TWO_FLIGHTS)
+    run = events(*exact_start(scene))
+    assert [event.name for event in run.events[:4]] == ["lift-off", "touch-down"] * 2
+    lift, land = (event.lower - run.start for event in run.events[:2])
+    found = certified_samples(run, scene.until, 56)
+    seen = float_run(scene, "LSODA", points=56).samples
+    assert seen is not None
+    times = found.columns["t"]
+    assert times[-1] == pytest.approx(float(land.p) / float(land.q), abs=1e-12)
+    assert found.phases == ("slip",) * 3 + ("flight",) * (len(times) - 3)
+    assert times[2] == pytest.approx(float(lift.p) / float(lift.q), abs=1e-12)
+    for name in COLUMNS[1:]:
+        expected = np.interp(times, seen.columns["t"], seen.columns[name])
+        shared = np.isclose(times[:, None], seen.columns["t"][None, :], rtol=0, atol=1e-12).any(axis=1)
+        assert shared.sum() == 19
+        size = np.abs(seen.columns[name]).max()
+        assert np.abs(found.columns[name] - expected)[shared].max() <= 1e-6 * size, name
+        assert abs(found.columns[name][2] - found.columns[name][3]) <= 1e-9 * size, name  # no jump at the lift-off
 
 
 def values(force: str | arb, **others: arb) -> SimpleNamespace:
