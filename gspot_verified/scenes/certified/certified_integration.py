@@ -15,6 +15,7 @@ from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.evidence import at_most, every, less
+from gspot_verified.numbers.verdict import Evidence
 from gspot_verified.scenes.certified.certified_phase import CLOCK, CertifiedPhase, Open
 from gspot_verified.scenes.certified.certified_phases import CertifiedPhases, Next
 from gspot_verified.scenes.certified.certified_result import Record, event_of, growth_words, result_of
@@ -226,6 +227,9 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
             return record
         if samples is not None:
             samples.event(phase_end.before, phase_end.time, start)
+        record.violated = _failed(conditions, phases, now.phase, start, shown)
+        if record.violated is not None:
+            return record
         if phase_end.event.left_out:
             record.violated = phase_end.event.left_out, start[CLOCK], shown
             return record
@@ -256,6 +260,17 @@ def _checked_start(
     return at_zero
 
 
+def _failed(
+    conditions: Conditions, phases: CertifiedPhases, phase: str, states: Mapping[str, arb], shown: Evidence | None
+) -> tuple[str, arb, Evidence] | None:
+    """The effect whose condition has certainly failed by the time of these states, when it did first, and what shows
+    it; ``shown``: that they are reached. An event can end a phase in its first step, which no observer sees."""
+    for event, value in phases.conditions(phase, states):
+        if (failed := every([less(value, 0), shown])) is not None:
+            return event.left_out, conditions.since(event, states[CLOCK]), failed
+    return None
+
+
 class _ConditionObserver:
     """Looks at the end of each segment whether a condition that could not be followed has certainly failed by then, and
     before the end of the time; up to there those that are followed hold."""
@@ -275,11 +290,10 @@ class _ConditionObserver:
 
     def __call__(self, segment: Step, states: Mapping[str, arb]) -> bool:
         time = self._record.seen = self._began + segment.end_time
-        for event, value in self._phases.conditions(self._phase, {**states, CLOCK: time}):
-            failed = every([less(value, 0), at_most(time, self._end)])
-            if failed is not None:
-                self._record.violated = event.left_out, self._conditions.since(event, time), failed
-                return True
+        in_time = at_most(time, self._end)
+        self._record.violated = _failed(self._conditions, self._phases, self._phase, {**states, CLOCK: time}, in_time)
+        if self._record.violated is not None:
+            return True
         return self._inner(segment, states)
 
 

@@ -452,3 +452,20 @@ def test_the_words_of_growth_are_rounded_to_the_safe_side() -> None:
         "from t = 0.333334 after the start on λ_N grows at least like exp(0.666 t/ε) until it is 8 times as large, "
         "or stick ends"
     )
+
+
+def test_a_condition_that_fails_within_the_one_step_of_a_phase_is_seen() -> None:
+    """u = 0 at the start and pushed backwards: lift-off at .03665 ends the slip in its first step, whose end no
+    observer sees. It was "proved, provided that the slip velocity is positive"."""
+    start = {"p": fmpq(1101, 1000), "b": fmpq(-47, 1000), "v": fmpq(3, 350), "u": fmpq(0)}
+    start |= dict.fromkeys("yz", fmpq(-407, 625000))
+    parameters = {"alpha_1": fmpq(-12, 7), "alpha_2": fmpq(991, 1000), "beta": fmpq(29, 8), "a": fmpq(-127, 250)}
+    parameters["k_plus"] = fmpq(1, 8)
+    scene = Scene("pushed back", TANGENTIAL, fmpq(1, 50), fmpq(18325366, 500000000), parameters, start)
+    for until in (scene.until, fmpq(37, 1000)):
+        run = integrated_run(replace(scene, until=until))
+        assert run.fate == REFUTED
+        assert standing(run)["stick"] == VIOLATED
+        lower, upper = bracket(run, "stick")
+        assert lower <= 0
+        assert upper <= fmpq(37, 1000)
