@@ -214,7 +214,7 @@ def _compared(asked: Question, found: SceneRun, motion: Motion) -> Answer:
             return wrong(f"{name}: not in its bracket\n{shown}")
     whole = motion.end >= asked.until / asked.epsilon
     more = own[len(motion.events) :]  # the exact solution speaks of all times: what it says of later ones is not judged
-    if whole and any(to_fraction(event.lower) <= asked.until for event in more):
+    if whole and any(to_fraction(event.upper) <= asked.until for event in more):
         return wrong(f"more events than the reference has\n{shown}")
     if proved and len(motion.events) > len(own):
         return wrong(f"an event was left out\n{shown}")

@@ -251,6 +251,9 @@ def _checked_start(
         if (negative := less(value, 0)) is not None:
             record.violated = event.left_out, conditions.since(event, start[CLOCK]), negative
             return None
+        if value.is_zero() and (falls := phases[now.phase].falls(event, start)) is not None:
+            record.violated = event.left_out, conditions.since(event, start[CLOCK]), falls
+            return None
         if value > 0 or event.name in at_zero or not conditions.watches(event):
             continue
         if not value.is_zero():

@@ -144,15 +144,22 @@ class CertifiedPhase:
 
     def _order(self, event: PhaseEvent, box: list[arb]) -> int | None:
         """Which derivative of the event's function takes it away from 0 at the start; None: it is not certain."""
+        order, rate = self._first_rate(event, box)
+        return order if rate > 0 else None
+
+    def falls(self, event: PhaseEvent, start: Mapping[str, arb]) -> Evidence | None:
+        """That a function that is 0 at the start is negative from then on, for some time; None: it is not certain."""
+        return less(self._first_rate(event, [start[name] for name in self.names])[1], 0)
+
+    def _first_rate(self, event: PhaseEvent, box: list[arb]) -> tuple[int, arb]:
+        """The first derivative of the event's function that is not 0 in the box, or the second, with its order."""
         derivative: Expression = event.function
         for order in (1, 2):
             derivative = lie_derivative(derivative, self.field.functions)
             rate = Watch(event.name, derivative, self.field).value(box)
-            if rate > 0:
-                return order
             if not rate.is_zero():
-                return None
-        return None
+                break
+        return order, rate
 
     def _ended(
         self,
