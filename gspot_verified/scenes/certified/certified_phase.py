@@ -25,6 +25,7 @@ from gspot_verified.scenes.equations.scaled_system import PhaseEvent, ScaledSyst
 CLOCK = "T"
 _WIDE = 2.0**-20  # relative radius from which on an open end speaks of wide sets; no verdict rests on it
 _HALVINGS = 6  # of a segment on which a sign stays open; then the run is open
+_RATES = 2  # derivatives at most that tell how a function leaves 0
 _AT_THE_END = "an event may fall on the end of the time"
 
 
@@ -144,22 +145,20 @@ class CertifiedPhase:
 
     def _order(self, event: PhaseEvent, box: list[arb]) -> int | None:
         """Which derivative of the event's function takes it away from 0 at the start; None: it is not certain."""
-        order, rate = self._first_rate(event, box)
-        return order if rate > 0 else None
+        rates = self._rates(event, box)
+        return len(rates) if rates[-1] > 0 else None
 
     def falls(self, event: PhaseEvent, start: Mapping[str, arb]) -> Evidence | None:
         """That a function that is 0 at the start is negative from then on, for some time; None: it is not certain."""
-        return less(self._first_rate(event, [start[name] for name in self.names])[1], 0)
+        return less(self._rates(event, [start[name] for name in self.names])[-1], 0)
 
-    def _first_rate(self, event: PhaseEvent, box: list[arb]) -> tuple[int, arb]:
-        """The first derivative of the event's function that is not 0 in the box, or the second, with its order."""
-        derivative: Expression = event.function
-        for order in (1, 2):
+    def _rates(self, event: PhaseEvent, box: list[arb]) -> list[arb]:
+        """Derivatives of the event's function in the box, up to the first that is not exactly 0, or to the second."""
+        derivative, rates = event.function, list[arb]()
+        while len(rates) < _RATES and all(rate.is_zero() for rate in rates):
             derivative = lie_derivative(derivative, self.field.functions)
-            rate = Watch(event.name, derivative, self.field).value(box)
-            if not rate.is_zero():
-                break
-        return order, rate
+            rates.append(Watch(event.name, derivative, self.field).value(box))
+        return rates
 
     def _ended(
         self,

@@ -472,7 +472,7 @@ def test_a_condition_that_fails_within_the_one_step_of_a_phase_is_seen() -> None
 
 
 def test_a_condition_that_fails_from_the_start_on_and_holds_again_within_one_step_is_seen() -> None:
-    """u = 0 with u' = a < 0 at the start, and λ_N, which begins with 0, pushes it up again: no end of a step shows it."""
+    """u = 0, u' = a < 0 at the start, and λ_N, which begins with 0, pushes it up again: no end of a step shows it."""
     start = {"p": fmpq(1, 4), "b": fmpq(-10, 7), "v": fmpq(-3, 400), **dict.fromkeys("yzu", fmpq(0))}
     parameters = {"alpha_1": fmpq(307, 1000), "alpha_2": fmpq(0), "beta": fmpq(21, 8)}
     parameters |= {"a": fmpq(-1, 2), "k_plus": fmpq(6, 7)}
