@@ -23,10 +23,12 @@ HYPOTHESES = {
         *("identities", "initial_values", "laplace", "negative"),
     ),
     4: ("invariant_region", "left_out_effects", "run_certificate"),
+    5: ("from_state",),
 }
 """The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force, 3
-about the number of zeros of its slow solution, 4 about a run."""
+about the number of zeros of its slow solution, 4 about a run, 5 about the way from a state towards the G-spot."""
 RUN_VERSION = 4  # of certificates of runs
+PASSAGE_VERSION = 5  # of certificates of Theorem B
 
 
 class Statement(Protocol):

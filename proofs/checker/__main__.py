@@ -1,4 +1,4 @@
-"""Check a certificate about dΘ/dτ, the contact force, its zeros, or a run. Usage: python checker [OPTIONS] CERTIFICATE
+"""Check a certificate: dΘ/dτ, the force, its zeros, a run, a passage. Usage: python checker [OPTIONS] CERTIFICATE
 
 The format is on the page certificate.md; every lemma named here is proved there or on check.md. Nothing beyond Python's
 standard library is imported. The parts, in the order in which they are read; each uses those before it:
@@ -13,6 +13,7 @@ standard library is imported. The parts, in the order in which they are read; ea
     model        the equations and events of the model system (run_certificate.md, section 1)
     mechanism    the equations and events of a mechanism, from its mass matrix, forces and contact (section 1a there)
     run          a run: its steps, signs and events (run_certificate.md, sections 2 to 4)
+    passage      from a state towards the G-spot for all small ε (from_state.md, section 10)
     __main__     the kinds of statements, and the command line
 """
 
@@ -25,6 +26,7 @@ import sys
 from collections.abc import Sequence
 
 import force
+import passage
 import run
 import statements
 from limits import Limits, Rejected, reject
@@ -32,6 +34,7 @@ from pieces import read_certificate
 from reading import read_header, read_lines
 
 RULES = {1: statements.RULES, 2: force.FORCE, 3: force.SLOW_ZEROS}  # of each version: kind and check
+OF_LINES = {run.VERSION: run.check_run, passage.VERSION: passage.check_passage}  # of versions without columns
 USAGE = "usage: python checker [--workers N] [--limit NAME=NUMBER]... CERTIFICATE"
 LIMITS = f"; the limits are {', '.join(Limits._fields)}"
 STATUS = {"VERIFIED": 0, "REJECTED": 1, "usage": 64}  # exit codes; 64 as in sysexits.h
@@ -43,8 +46,8 @@ def check_text(data: bytes, limits: Limits | None = None, workers: int = 1) -> s
     try:
         first, *lines = read_lines(data, limits)
         header = read_header(first)
-        if header[0] == run.VERSION:
-            return run.check_run(*header[1:], lines, limits, len(data))
+        if header[0] in OF_LINES:
+            return OF_LINES[header[0]](*header[1:], lines, limits, len(data))
         version, statement, columns = read_certificate(data, limits)
         checker = statements.Checker(statement, columns, limits, limits.budget(len(data)), workers)
         kind, rules = statement.get("kind") if isinstance(statement, dict) else None, RULES[version]

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.approach_command import Spot, Surface
 from gspot_verified.cli.commands.mechanism_commands import Settings
 from gspot_verified.cli.load import load_with_settings
 from gspot_verified.cli.output import Outputs
+
+if TYPE_CHECKING:
+    from gspot_verified.expansion.from_state.model_side import ModelSide
 
 
 @app.command(epilog=example("iwc --beta 7/3"))
@@ -129,6 +133,10 @@ def verdict(
     ] = None,
     alpha1: Annotated[str | None, typer.Option(help="With --beta --from: α1* < 0; -1 if left out.")] = None,
     alpha2: Annotated[str | None, typer.Option(help="With --beta --from: α2* < 0; -1 if left out.")] = None,
+    certificate: Annotated[
+        Path | None,
+        typer.Option(help="With --beta --from: write a certificate of the way to the G-spot, that `check` reads."),
+    ] = None,
     surface: Surface = None,
     settings: Settings = None,
     spot: Spot = None,
@@ -149,11 +157,19 @@ def verdict(
 
     if (name is None) == (beta is None):
         raise ValueError("give a mechanism or --beta")
-    of_model = {"--epsilon": epsilon, "--within": within, "--alpha1": alpha1, "--alpha2": alpha2}
+    of_model = {
+        "--epsilon": epsilon,
+        "--within": within,
+        "--alpha1": alpha1,
+        "--alpha2": alpha2,
+        "--certificate": certificate,
+    }
     of_mechanism = {"--surface-velocity": surface, "--set": settings or None, "--spot": spot}
     for option, value in (of_model if name is not None else of_mechanism).items():
         if value is not None:
             raise ValueError(f"{option}: it goes with " + ("a mechanism" if name is None else "--beta"))
+    outputs = Outputs()
+    outputs.file("--certificate", certificate)
     found: LimitSide | ModelSide | MechanismSide
     if name is not None:
         if state is None:
@@ -183,4 +199,16 @@ def verdict(
         print_json(found.to_json())
     else:
         typer.echo(str(found))
-    raise typer.Exit(found.verdict.exit_code)
+    if certificate is not None and isinstance(found, ModelSide):
+        _write_passage(outputs, certificate, found, progress if as_json else typer.echo)
+    outputs.leave(found.verdict.exit_code)
+
+
+def _write_passage(outputs: Outputs, place: Path, side: ModelSide, say: Callable[[str], object]) -> None:
+    from gspot_verified.certificates.text import write_text
+    from gspot_verified.expansion.from_state.passage_certificate import passage_certificate
+
+    if side.side is None:
+        warn(f"--certificate: nothing was proved, so {place} was not written")
+    elif outputs.write("--certificate", place, lambda: write_text(place, passage_certificate(side))):
+        say(f"certificate of the way to the G-spot, for every epsilon up to {side.epsilon}: {place}")

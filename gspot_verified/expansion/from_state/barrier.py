@@ -39,11 +39,12 @@ class Start:
 class Tube:
     """z <= Z + I, 0 < h <= ``rectangle.h``, p <= p_1, for every e up to ``start.e``.
 
-    ``rate`` is Gamma, ``share`` c_w, ``drift(r)`` bounds what Z and I do to log C_1 until r.
+    ``rate`` is Gamma, ``share`` c_w, ``largest`` z_max, ``drift(r)`` bounds what Z and I do to log C_1 until r.
     """
 
     start: Start
     rectangle: Rectangle
+    largest: fmpq
     barrier: Monomials
     rate: arb
     damping: fmpq
@@ -113,7 +114,15 @@ def tube(norm: Norm, growth: Growth, rectangle: Rectangle, start: Start, largest
     if evidence is None:
         return "not certain: " + "; ".join(failed)
     return Tube(
-        start, rectangle, barrier, rate=rate, damping=growth.damping, shares=shares, beta=beta, evidence=evidence
+        start=start,
+        rectangle=rectangle,
+        largest=largest,
+        barrier=barrier,
+        rate=rate,
+        damping=growth.damping,
+        shares=shares,
+        beta=beta,
+        evidence=evidence,
     )
 
 

@@ -204,9 +204,9 @@ def tube_from(start: ModelStart, delta: fmpq, choices: Sequence[Plan]) -> tuple[
     return tube_failed or growth_failed
 
 
-def rounded_up(value: arb) -> fmpq:
-    """A rational number at or above every number in the ball."""
-    whole = (value * _FINENESS).ceil().upper().ceil().unique_fmpz()
+def rounded_up(value: arb, fineness: int = _FINENESS) -> fmpq:
+    """A multiple of 1/fineness at or above every number in the ball."""
+    whole = (value * fineness).ceil().upper().ceil().unique_fmpz()
     if whole is None:
         raise ValueError("a number is too large to be rounded")
-    return fmpq(whole, _FINENESS)
+    return fmpq(whole, fineness)

@@ -12,7 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.derivative import ZERO, lie_derivative
-from gspot_verified.functions.expressions import Constant, Expression, in_order
+from gspot_verified.functions.expressions import Constant, in_order
 from gspot_verified.integrator.field.event import Crossing, Moment, Unclear, Watch, first_crossing, rivals
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.norm_steps.chosen_step import Steps
