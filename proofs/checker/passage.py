@@ -262,7 +262,6 @@ def check_chart(numbers: Numbers, N: list[list[Polynomial]], steep: bool, reach:
     open_boxes = [((0, numbers.one), (0, end), 0)]
     while open_boxes:
         u, s, depth = open_boxes.pop()
-        numbers.meter.spend(0, 10)
         if u[0] * s[0] > edge << BITS or positive(u, s):
             continue
         require(depth < HALVINGS, "the growth of the deviation is not confirmed (Lemma 1)")

@@ -63,10 +63,11 @@ def assert_only_exact(value: Any) -> None:
 
 
 def test_the_checker_asks_for_the_same_pages_of_each_version() -> None:
-    run = runs.part("run")
-    asked = mutate.checker().pieces.HYPOTHESES | {run.VERSION: run.HYPOTHESES}
+    run, passage = runs.part("run"), mutate.checker().passage
+    asked = dict(mutate.checker().pieces.HYPOTHESES)
+    asked |= {run.VERSION: run.HYPOTHESES, passage.VERSION: passage.HYPOTHESES}
     assert {version: list(names) for version, names in text.HYPOTHESES.items()} == asked
-    assert run.VERSION == text.RUN_VERSION
+    assert (run.VERSION, passage.VERSION) == (text.RUN_VERSION, text.PASSAGE_VERSION)
 
 
 def test_every_page_that_is_named_exists() -> None:

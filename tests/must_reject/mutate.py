@@ -23,7 +23,19 @@ import pytest
 
 HYPOTHESES = ["certificate", "fold", "identities", "initial_values", "laplace", "negative", "tails"]
 CHECKER = Path(__file__).resolve().parents[2] / "proofs" / "checker"
-PARTS = ("limits", "reading", "theta", "pieces", "statements", "force", "intervals", "model", "mechanism", "run", "passage")
+PARTS = (
+    "limits",
+    "reading",
+    "theta",
+    "pieces",
+    "statements",
+    "force",
+    "intervals",
+    "model",
+    "mechanism",
+    "run",
+    "passage",
+)
 
 Lines = list[Any]
 Mutation = Callable[[Lines], None]

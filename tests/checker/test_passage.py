@@ -1,0 +1,289 @@
+"""The checker of Theorem B: certificates that are right and wrong, and each of its bounds beside another computation.
+
+Page: proofs/from_state.md, section 10.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from must_reject import mutate
+
+check = mutate.checker()
+passage = check.passage
+SHIPPED = mutate.CHECKER.with_name("passage_3_2.cert")
+LINES = [json.loads(line) for line in SHIPPED.read_text(encoding="utf-8").splitlines()[:-1]]
+STEP = Fraction(1, 2**40)
+Change = Callable[[dict[str, Any], dict[str, Any]], None]
+
+
+def text(change: Change = lambda *_: None) -> bytes:
+    """The shipped certificate, changed in its statement and its line, and sealed anew."""
+    lines = copy.deepcopy(LINES)
+    change(lines[0]["statement"], lines[1])
+    return mutate.text_of(lines)
+
+
+def said(change: Change = lambda *_: None) -> str:
+    return str(check.main.check_text(text(change)))
+
+
+def put(where: int, **values: Any) -> Change:
+    """Change the statement (0) or the line (1)."""
+    return lambda *parts: parts[where].update(values)
+
+
+def moved(where: int, name: str, factor: Fraction) -> Change:
+    return lambda *parts: parts[where].update({name: str(Fraction(parts[where][name]) * factor)})
+
+
+def term(name: str, index: int, value: str) -> Change:
+    """Another coefficient of one of the polynomials."""
+    return lambda _, line: line[name][index].__setitem__(2, value)
+
+
+def test_the_shipped_certificate_says_what_it_proves() -> None:
+    assert said() == (
+        "the model system with α = (-1, -1, -3/2) and (k_1 ε², k_2 ε², c ε) = (1, 1, 1): for every ε in (0, 1/4000] "
+        "and every start in contact at p = 1/2, b = -2 with |λ + b/p| ≤ η|L|, √κ|v|/ε ≤ η√p|L|, (g/√l)|φ| ≤ η√p|L|, "
+        "η = 1/100, L = -b/p - 2, φ = λ + κy/ε² + (l/g)v/ε, κ = 1/2, g = 2, l = 1/2, as long as slip is positive: "
+        "λ > 0 down to p = 4 ε^(2/3), where L has kept its sign, and |log(C/C_1)| ≤ 6829/524288 on the way, "
+        "C = -L p^(-1/2), C_1 its value at the start"
+    )
+
+
+ACCEPTED: list[tuple[str, Change]] = [
+    ("a smaller ε", moved(0, "epsilon", Fraction(1, 1000))),
+    ("fewer starts", put(0, within="0")),
+    ("a larger drift", put(0, drift="1")),
+    ("an end that is farther away", put(0, scaled="5")),
+    ("a larger rate", moved(1, "rate", Fraction(1001, 1000))),
+    ("a larger p at the end", moved(1, "least", Fraction(1001, 1000))),
+    ("other units of time", put(0, alpha=["-1", "-2", "-3/2"], b="-4")),
+    ("a slow part that is nearly right", term("v", 4, "3624/1000")),
+]
+
+
+@pytest.mark.parametrize("change", [pytest.param(change, id=name) for name, change in ACCEPTED])
+def test_what_follows_is_accepted(change: Change) -> None:
+    def whole(statement: dict[str, Any], line: dict[str, Any]) -> None:
+        change(statement, line)
+        statement["drift"] = str(max(Fraction(statement["drift"]), Fraction(1, 50)))
+        for key, value in line.items():  # in lowest terms
+            if isinstance(value, list) and value and isinstance(value[0], list):
+                line[key] = [[i, n, str(Fraction(c))] for i, n, c in value]
+
+    assert said(whole).startswith("the model system with α = ")
+
+
+REJECTED: list[tuple[str, Change, str]] = [
+    # Each hypothesis of Theorem B.
+    ("ε too large", moved(0, "epsilon", Fraction(2)), "p at the end of the rectangle is not the one given"),
+    ("ε far too large", put(0, epsilon="1"), "the passage would end before its start"),
+    ("starts too far from rest", put(0, within="1/50"), "the barrier is not below z_max at the start"),
+    ("more drift than stated", put(0, drift="6000/524288"), "not in lowest terms"),
+    ("a little more drift than stated", put(0, drift="3/250"), "C_1 may drift more than is stated"),
+    ("no drift", put(0, drift="0"), "C_1 may drift more than is stated"),
+    ("a nearer end", put(0, scaled="399/100"), "the passage ends beyond the rectangle"),
+    ("start beyond the rectangle", put(0, p="3/5", b="-12/5"), "the start is not on the rectangle"),
+    ("p at the end too small", moved(1, "least", 1 - STEP), "p at the end of the rectangle is not the one given"),
+    ("p at the end beyond the start", put(1, least="1/2"), "p at the end of the rectangle is not the one given"),
+    ("a rate too small", moved(1, "rate", Fraction(999, 1000)), "the rate is too small"),
+    ("a negative rate", put(1, rate="-1", growth="-4"), "the rate is too small"),
+    ("a growth too small", put(1, growth="-3/20"), "not confirmed (Lemma 1)"),
+    ("too much damping", put(1, damping="1/2"), "not confirmed (Lemma 1)"),
+    ("no damping", put(1, damping="0"), "a number of the norm is negative"),
+    ("hardly any damping", put(1, damping="1/100000"), "the layer does not fall with ε"),
+    ("z_max too small", put(1, largest="1/40"), "the barrier is not below z_max"),
+    ("z_max too large for the rate", put(1, largest="1/2"), "the rate is too small"),
+    ("a negative number of the norm", put(1, norm=["-1", "1/2"]), "a number of the norm is negative"),
+    ("a norm that is none", put(1, norm=["9", "1/2"]), "the norm is not positive definite"),
+    ("an empty rectangle", put(1, rectangle=["0", "3/4"]), "a number of the norm is negative"),
+    ("a force that vanishes", put(0, b="-1/1000", within="0"), "the force is not certainly positive"),
+    # The slow part.
+    ("no slow part", put(1, v=[], w=[], f=[]), "a source is not paid"),
+    ("a sign in v", term("v", 0, "-1"), "a source is not paid"),
+    ("another factor in v", term("v", 0, "1001/1000"), "a source is not paid"),
+    ("a sign in w", term("w", 0, "-1/2"), "a source is not paid"),
+    ("v without h", put(1, v=[[0, 1, "1"]]), "a polynomial is not divisible"),
+    ("v without r", put(1, v=[[1, 0, "1"]]), "a polynomial is not divisible"),
+    ("another last term of v", term("v", 4, "-29/8"), "the barrier is not below z_max"),
+    ("terms out of order", lambda _, line: line["v"].reverse(), "the terms of v are not in order"),
+    ("a term twice", lambda _, line: line["w"].append(line["w"][-1]), "the terms of w are not in order"),
+    # The statement.
+    ("another kind", put(0, kind="run"), "unknown kind of statement"),
+    ("b on the distinguished trajectory", put(0, b="-1"), "the distinguished trajectory"),
+    ("p not positive", put(0, p="0"), "p, ε, S or η"),
+    ("a negative share", put(0, within="-1/100"), "p, ε, S or η"),
+    ("β = 1", put(0, alpha=["-1", "-1", "-1"]), "β is not above 1"),
+    ("α_1 positive", put(0, alpha=["1", "-1", "-3/2"]), "β is not above 1"),
+    ("α_2 positive", put(0, alpha=["-1", "1", "-3/2"]), "β is not above 1"),
+    ("two alphas", put(0, alpha=["-1", "-1"]), "is not a list of 3 numbers"),
+    ("another β", put(0, alpha=["-1", "-1", "-8/5"]), "the rate is too small"),
+    ("another contact", put(0, contact=["1", "1", "9/10"]), "a source is not paid"),
+    ("no damper", put(0, contact=["1", "1", "0"]), "a constant of the contact is not positive"),
+    ("a boolean", put(0, within=True), "more than 400 characters"),
+    ("a key too many", put(0, more="1"), "has not the keys"),
+    ("a key too many in the line", put(1, more="1"), "has not the keys"),
+]
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"), [pytest.param(change, reason, id=name) for name, change, reason in REJECTED]
+)
+def test_what_does_not_follow_is_rejected(change: Change, reason: str) -> None:
+    with pytest.raises(check.limits.Rejected) as found:
+        said(change)
+    assert reason in str(found.value)
+
+
+@pytest.mark.parametrize("lines", [LINES[:1], [*LINES, LINES[1]]])
+def test_there_is_one_line(lines: list[Any]) -> None:
+    with pytest.raises(check.limits.Rejected, match="there is not one line"):
+        check.main.check_text(mutate.text_of(lines))
+
+
+def test_the_pages_are_those_of_a_passage() -> None:
+    lines = copy.deepcopy(LINES)
+    lines[0]["hypotheses"] = ["run_certificate"]
+    with pytest.raises(check.limits.Rejected, match="the pages are not those"):
+        check.main.check_text(mutate.text_of(lines))
+
+
+@given(st.fractions(min_value=Fraction(1, 10**30), max_value=10**30))
+def test_roots_and_logarithms_are_bounds_and_close_ones(q: Fraction) -> None:
+    assert passage.root_below(q) ** 2 <= q <= passage.root_above(q) ** 2
+    assert passage.root_above(q) - passage.root_below(q) <= Fraction(2, 2**passage.BITS)
+    assert 0 <= passage.above(q) - q < Fraction(1, 2**passage.BITS)
+    exact = math.log(q.numerator) - math.log(q.denominator)
+    assert -1e-12 <= float(passage.log_above(q)) - exact <= 1e-12 + 1e-15 * exact**2
+
+
+def parts() -> tuple[Any, Any, Any]:
+    """Start, slow part and norm of the shipped certificate."""
+    statement, line = LINES[0]["statement"], LINES[1]
+    start = passage.Start(statement)
+    slow = passage.Slow(start, *(passage.read_polynomial(line[name], name) for name in "vwf"))
+    growth = Fraction(line["growth"]), Fraction(line["damping"])
+    return start, slow, passage.Norm(*map(Fraction, line["norm"]), *growth, *map(Fraction, line["rectangle"]))
+
+
+def on(polynomial: Any, h: float, r: float) -> float:
+    return sum(float(c) * h ** key.count("h") * r ** key.count("r") for key, c in polynomial.items())
+
+
+def field(start: Any, h: float, r: float, u: np.ndarray) -> np.ndarray:
+    """(L, V, W, φ)' of the model system, equation (2) of the page, at h, r."""
+    L, V, W, phi = u
+    beta, kappa, g, lag, p = (float(x) for x in (start.beta, start.kappa, start.rate, start.lag, r * r))
+    return np.array(
+        [
+            -h * r * ((beta - 1) * L + beta * W / p),
+            W,
+            -kappa * p * V - g * p * phi + h * r * (beta - 1) * (W + p * L),
+            -g * phi + lag / g * W,
+        ]
+    )
+
+
+def test_the_residuals_are_those_of_the_equations() -> None:
+    """By difference quotients along the slow solution, L' = -hr((β-1) + βw)L."""
+    start, slow, _ = parts()
+    h, r, L, t = 0.09, 0.5, 1.0, 1e-6
+
+    def at(time: float) -> np.ndarray:
+        e = h * r**3
+        p = r * r - e * time  # p' = -e
+        r_then = math.sqrt(p)
+        h_then = e / p**1.5
+        L_then = L * (1 - h * r * (0.5 + 1.5 * on(slow.w, h, r)) * time)
+        v, w, f = (on(one, h_then, r_then) for one in (slow.v, slow.w, slow.f))
+        return L_then * np.array([1, v, p * w, p * f])
+
+    left = (at(t) - at(-t)) / (2 * t)
+    rest = np.abs(field(start, h, r, at(0)) - left)[1:] / (h * r**3)
+    bound = float(passage.at(slow.source, Fraction(h), Fraction(r)))
+    one, two, three = map(float, slow.lengths())
+    true = one * r * rest[0] + two * rest[1] + three * r * rest[2]
+    assert true <= bound + 1e-8
+    assert true >= bound / 30  # term by term it is larger, not by orders of magnitude
+
+
+def test_the_surplus_is_that_of_the_equations() -> None:
+    """N of Lemma 1 beside a matrix from difference quotients of (2) in x = (r(V - Lv), W - Lr²w, r(φ - Lr²f))."""
+    start, slow, norm = parts()
+    h, r, t = 0.1, 0.6, 1e-6
+    e = h * r**3
+
+    def shape(time: float) -> tuple[float, float]:
+        p = r * r - e * time
+        return e / p**1.5, math.sqrt(p)
+
+    def deviation(u: np.ndarray, time: float) -> np.ndarray:
+        h_then, r_then = shape(time)
+        v, w, f = (on(one, h_then, r_then) for one in (slow.v, slow.w, slow.f))
+        L, V, W, phi = u
+        return np.array([r_then * (V - L * v), W - L * r_then**2 * w, r_then * (phi - L * r_then**2 * f)])
+
+    L = 1.0
+    v, w, f = (on(one, h, r) for one in (slow.v, slow.w, slow.f))
+    slow_state = np.array([L, L * v, L * r * r * w, L * r * r * f])
+
+    def rate(x: np.ndarray) -> np.ndarray:
+        u = slow_state + np.array([0, x[0] / r, x[1], x[2] / r])
+        step = field(start, h, r, u) * t
+        return (deviation(u + step, t) - deviation(u - step, -t)) / (2 * t)
+
+    B = np.array([rate(unit) - rate(np.zeros(3)) for unit in np.eye(3)]).T
+    M = np.array([[on(entry, h, r) for entry in row] for row in norm.matrix(start)])
+    before, after = (
+        np.array([[on(entry, *shape(time)) for entry in row] for row in norm.matrix(start)]) for time in (-t, t)
+    )
+    change = (after - before) / (2 * t)
+    factor = 2 * (float(norm.growth) * h * r - float(norm.damping) * r * r)
+    expected = factor * M - (M @ B + B.T @ M + change)
+    found = np.array([[on(entry, h, r) for entry in row] for row in norm.surplus(slow)])
+    assert np.abs(found - expected).max() <= 1e-7
+    assert np.linalg.eigvalsh(found).min() > 0
+
+
+def test_the_barrier_is_an_upper_solution_and_no_larger_than_needed() -> None:
+    """(9): -p dZ/dp - (Γ - θr/h)Z - 𝓕 ≥ 0, and with half of each coefficient it is not."""
+    _, slow, norm = parts()
+    rate = Fraction(LINES[1]["rate"])
+    Z = passage.barrier(slow.source, rate, norm.damping)
+
+    def lack(h: Fraction, r: Fraction, share: Fraction = Fraction(1)) -> Fraction:
+        total = -sum(c * h**i * r**n for (i, n), c in slow.source.items())
+        for (i, n), c in Z.items():
+            own = Fraction(3 * i - n, 2) - rate + norm.damping * r / h
+            total += share * own * c * h**i * r**n
+        return total
+
+    places = [(norm.h * Fraction(k, 8), norm.r * Fraction(j, 8)) for k in range(1, 9) for j in range(1, 9)]
+    assert all(lack(h, r) >= 0 for h, r in places)
+    assert any(lack(h, r, Fraction(1, 2)) < 0 for h, r in places)
+
+
+def test_a_hostile_file_ends_soon() -> None:
+    """Long numbers and as many terms as are allowed: rejected, within the budget of work."""
+    long = str(Fraction(10**190 + 1, 10**190))
+    terms = [[i, n, long] for i in range(1, 15) for n in range(1, 15)]
+    for change in (put(1, v=terms), put(1, w=terms), put(1, v=terms, w=terms, f=terms)):
+        with pytest.raises(check.limits.Rejected):
+            said(change)
+    with pytest.raises(check.limits.Rejected, match="at most 200 terms"):
+        said(put(1, v=[[i, n, "1"] for i in range(15) for n in range(15)]))
+    with pytest.raises(check.limits.Rejected, match="is not a term of v"):
+        said(put(1, v=[[1, 31, "1"]]))
+    with pytest.raises(check.limits.Rejected, match="is not a term of v"):
+        said(put(1, v=[[1, -1, "1"]]))
