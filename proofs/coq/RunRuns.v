@@ -176,16 +176,26 @@ Proof. vm_cast_no_check (eq_refl false). Qed.
 Definition scene_with (e a1 a2 b3 b p v y z l h : Q) : bool := let g := the_scene in run_accepted the_run
   (Scene (eps g + e) (alpha1 g + a1) (alpha2 g + a2) (beta g + b3) (b0 g + b) (p0 g + p) (v0 g + v) (y0 g + y)
     (z0 g + z) (low g + l) (high g + h))%Q.
-Definition a_little : Q := 1 # 10 ^ 40.
-
 Example the_scene_unchanged : scene_with 0 0 0 0 0 0 0 0 0 0 0 = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
-Example the_scene_changed_a_little : let d := a_little in
+Example the_equations_changed_a_little : let d := (1 # 10 ^ 40)%Q in
   scene_with d 0 0 0 0 0 0 0 0 0 0 || scene_with 0 d 0 0 0 0 0 0 0 0 0 || scene_with 0 0 d 0 0 0 0 0 0 0 0
-  || scene_with 0 0 0 d 0 0 0 0 0 0 0 || scene_with 0 0 0 0 d 0 0 0 0 0 0 || scene_with 0 0 0 0 0 d 0 0 0 0 0
-  || scene_with 0 0 0 0 0 0 d 0 0 0 0 || scene_with 0 0 0 0 0 0 0 d 0 0 0 || scene_with 0 0 0 0 0 0 0 0 d 0 0 = false.
+  || scene_with 0 0 0 d 0 0 0 0 0 0 0 || scene_with 0 0 0 0 0 d 0 0 0 0 0 = false.
 Proof. vm_cast_no_check (eq_refl false). Qed.
+
+(** The start within the bounds of the errors, and not. *)
+Definition start_with (d : Q) : list bool := [scene_with 0 0 0 0 d 0 0 0 0 0 0; scene_with 0 0 0 0 0 0 d 0 0 0 0;
+  scene_with 0 0 0 0 0 0 0 d 0 0 0; scene_with 0 0 0 0 0 0 0 0 d 0 0].
+
+Example the_start_changed_within_the_errors : start_with (1 # 10 ^ 60) = [true; true; true; true].
+Proof. vm_cast_no_check (eq_refl [true; true; true; true]). Qed.
+
+Example the_start_changed_by_more : start_with (1 # 10 ^ 33) = [false; false; false; false].
+Proof. vm_cast_no_check (eq_refl [false; false; false; false]). Qed.
+
+Example the_start_changed_by_more_to_the_left : start_with (-1 # 10 ^ 33) = [false; false; false; false].
+Proof. vm_cast_no_check (eq_refl [false; false; false; false]). Qed.
 
 Example a_bracket_of_the_claim_that_begins_too_late : scene_with 0 0 0 0 0 0 0 0 0 (1 # 10 ^ 32) 0 = false.
 Proof. vm_cast_no_check (eq_refl false). Qed.

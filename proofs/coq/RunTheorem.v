@@ -26,6 +26,24 @@ intros H. unfold run_accepted in H. destruct (numbers_fit r g) eqn:P; [|discrimi
 rewrite !andb_true_iff in P. apply not_above_0, negb_true_iff, P.
 Qed.
 
+(** How far the start is from the first polynomials. *)
+Lemma away_bound r q m x : (0 < grain r)%Z -> (0 < fine r)%Z -> x = Q2R q ->
+  Rabs (x - IZR m / IZR (grain r)) <= IZR (away r q m) / IZR (unit r).
+Proof.
+intros Hg Hf ->. assert (G : 0 < IZR (grain r)) by (apply IZR_lt, Hg).
+assert (F : 0 < IZR (fine r)) by (apply IZR_lt, Hf).
+assert (U : 0 < IZR (unit r)) by (unfold unit; rewrite mult_IZR; apply Rmult_lt_0_compat; auto).
+unfold away. cbv zeta. set (d := ((q * inject_Z (grain r) - inject_Z m) * inject_Z (fine r))%Q).
+assert (D : Q2R d = (Q2R q - IZR m / IZR (grain r)) * IZR (unit r)).
+{ unfold d, unit. rewrite Q2R_mult, Q2R_minus, Q2R_mult, !inject_real, mult_IZR. field. lra. }
+apply Rmult_le_reg_r with (IZR (unit r)); auto.
+replace (IZR (up (Z.abs (Qnum d)) (QDen d)) / IZR (unit r) * IZR (unit r)) with (IZR (up (Z.abs (Qnum d)) (QDen d)))
+  by (field; lra).
+rewrite <- (Rabs_pos_eq (IZR (unit r))) at 1 by lra. rewrite <- Rabs_mult, <- D. unfold Q2R.
+fold (Rdiv (IZR (Qnum d)) (IZR (QDen d))).
+rewrite quotient_abs, <- abs_IZR by (apply IZR_lt; reflexivity). apply up_quotient. reflexivity.
+Qed.
+
 (** From the start of the scene at t = 0 there is a first lift-off, within the bracket, and contact before it.
     Plan: the motion with the linear law of force exists on the whole line; in the units of eps it solves the equations
     of the checker (HW), so [all_steps_sound] holds for it; up to the lift-off it solves those of the mechanism, whose
@@ -39,7 +57,7 @@ Theorem accepted_run r g p b y v z : run_accepted r g = true ->
 Proof.
 intros H e Hm Ep Eb Ey Ev Ez. unfold run_accepted in H.
 destruct (numbers_fit r g) eqn:P; [rename H into H8|discriminate].
-unfold numbers_fit in P. rewrite !andb_true_iff in P. destruct P as ((((((H1 & H2) & H3) & H4) & H5) & H6) & H7).
+unfold numbers_fit in P. rewrite !andb_true_iff in P. destruct P as (((((H1 & H2) & H3) & H4) & H5) & H6).
 apply Z.ltb_lt in H1, H2, H3, H4. apply negb_true_iff in H5.
 assert (He : 0 < e) by exact (not_above_0 (eps g) H5).
 unfold same_rates in H6. rewrite !andb_true_iff in H6. destruct H6 as ((((R0 & R1) & R2) & R3) & R4).
@@ -47,9 +65,6 @@ apply Z.ltb_lt in R0. apply equal_real in R1, R2, R3, R4. rewrite ?Q2R_mult, ?in
   ?inject_real in R2.
 rewrite ?Q2R_mult, ?inject_real in R3. rewrite ?Q2R_mult, ?inject_real in R4.
 fold e in R1, R2, R3.
-unfold same_start in H7. cbv zeta in H7. rewrite !andb_true_iff in H7. destruct H7 as (((S1 & S2) & S3) & S4).
-apply equal_real in S1, S2, S3, S4. rewrite ?Q2R_mult, ?inject_real in S1. rewrite ?Q2R_mult, ?inject_real in S2.
-rewrite ?Q2R_mult, ?inject_real in S3. rewrite ?Q2R_mult, ?inject_real in S4. fold e in S2, S3, S4.
 set (N := IZR (below (its_rates r))) in *. assert (NP : 0 < N) by (apply IZR_lt, R0).
 set (gr := IZR (grain r)) in *. assert (G : 0 < gr) by (apply IZR_lt, H2).
 set (a1 := Q2R (alpha1 g)) in *. set (a2 := Q2R (alpha2 g)) in *. set (a3 := Q2R (alpha1 g * beta g)) in *.
@@ -84,21 +99,27 @@ assert (HW : forall i T,
     eapply is_derive_val.
     apply (is_derive_scal (fun T => (fun t => e * Z t) (e * T)) T (/ e ^ 3)), (Chain (fun t => e * Z t) _ T DZ).
     unfold W. field. lra. }
-destruct (all_steps_sound r g H1 H2 H3 H4 R0 He W HW (steps r) 0 no_errors (first_middle r) H8) as
+destruct (all_steps_sound r g H1 H2 H3 H4 R0 He W HW (steps r) 0 (first_errors r g) (first_middle r) H8) as
   (T & T1 & T2 & T3 & T4 & T5).
-{ assert (Zero : forall i, W i (0 / IZR (clock r)) - IZR (first_middle r i) / gr = 0).
-  { intros i. replace (0 / IZR (clock r)) with 0 by (unfold Rdiv; ring). unfold W. rewrite Rmult_0_r.
-    destruct i; [rewrite B0, Eb|rewrite Y0, Ey|rewrite V0, Ev|rewrite Z0, Ez].
-    - assert (Q : Q2R (b0 g) = IZR (first_middle r of_b) / gr) by (rewrite <- S1; field; lra). lra.
-    - replace (Q2R (y0 g)) with (IZR (first_middle r of_y) * (e * e) / gr) by (rewrite <- S2; field; lra). field. lra.
-    - replace (Q2R (v0 g)) with (IZR (first_middle r of_v) * e / gr) by (rewrite <- S3; field; lra). field. lra.
-    - replace (Q2R (z0 g)) with (IZR (first_middle r of_z) * (e * e) / gr) by (rewrite <- S4; field; lra). field. lra. }
-  exists (fun _ => 0). split.
-  - intros i. unfold gr in Zero. rewrite Zero. unfold total, coordinates. cbn [fold_right]. ring.
-  - intros k. unfold no_errors. cbn [radii its_blocks]. replace (IZR (row 0%Z 0%Z 0%Z 0%Z k)) with 0 by (destruct k;
-    reflexivity).
-    split. unfold Rdiv; lra. unfold square, total, coordinates, part. cbn [fold_right].
-    unfold Rdiv. destruct (lies _ k of_b), (lies _ k of_y), (lies _ k of_v), (lies _ k of_z); lra. }
+{ exists (fun i => W i (0 / IZR (clock r)) - IZR (first_middle r i) / gr). split.
+  - intros i. unfold first_errors. cbn [its_basis]. rewrite delta_sum. rewrite Rmult_1_l. reflexivity.
+  - assert (Far : forall i, Rabs (W i (0 / IZR (clock r)) - IZR (first_middle r i) / gr)
+      <= IZR (radii (first_errors r g) i) / IZR (unit r)).
+    { intros i. replace (0 / IZR (clock r)) with 0 by (unfold Rdiv; ring). unfold W, gr. rewrite Rmult_0_r.
+      assert (E2 : ~ (eps g * eps g == 0)%Q).
+      { intros E. apply Qeq_eqR in E. rewrite Q2R_mult in E. fold e in E. unfold Q2R at 1 in E. simpl in E. nra. }
+      assert (E1 : ~ (eps g == 0)%Q). { intros E. apply E2. rewrite E. reflexivity. }
+      destruct i; apply away_bound; auto.
+      - rewrite B0, Eb. reflexivity.
+      - rewrite Y0, Ey, Q2R_div, Q2R_mult by exact E2. fold e. field. lra.
+      - rewrite V0, Ev, Q2R_div by exact E1. reflexivity.
+      - rewrite Z0, Ez, Q2R_div, Q2R_mult by exact E2. fold e. field. lra. }
+    intros k. unfold first_errors at 1. cbn [its_blocks]. specialize (Far k). split.
+    + eapply Rle_trans. apply Rabs_pos. exact Far.
+    + rewrite <- (pow2_abs (IZR _ / _)). rewrite (Rabs_pos_eq (IZR _ / _))
+        by (eapply Rle_trans; [apply Rabs_pos|exact Far]).
+      eapply Rle_trans; [|apply pow_incr; split; [apply Rabs_pos|exact Far]]. rewrite pow2_abs.
+      apply Req_le. unfold square, total, coordinates, part, lies. cbn [fold_right]. destruct k; cbn [same]; ring. }
 replace (0 / IZR (clock r)) with 0 in T1, T2 by (unfold Rdiv; ring).
 set (t1 := e * T). assert (Pos : 0 < t1) by (apply Rmult_lt_0_compat; auto).
 assert (Inside : forall t, 0 <= t < t1 -> Y t < Z t).

@@ -11,6 +11,9 @@ before, so that no text of it can become a command of Coq; so is one with larger
 or longer than LONGEST.
 The pieces that the checker in Coq does not know are in UNKNOWN. A number of zeros that rests on a `fold` is
 compared with the count law instead, by the theorem `count_checker`: the claim is proved, the pieces are not looked at.
+Of a run (version 4) of the scenes that run_source.py knows the first phase is proved, by `run_checker`: contact, and
+the first lift-off in its bracket. Coq is given the first line of the file and the steps of this phase; it proves that
+the line is the text of the scene. All that follows is seen by proofs/checker alone, which must accept the whole file.
 
     python3 proofs/coq/check_in_coq.py CERTIFICATE                check it with the proofs in build/coq
     python3 proofs/coq/check_in_coq.py --source NAME CERTIFICATE  print the Coq source of its data
@@ -41,12 +44,14 @@ for folder in (HERE, HERE.parent / "checker"):
 if __name__ == "__main__":  # no compiled file of Python is believed either
     sys.dont_write_bytecode, sys.pycache_prefix = True, os.devnull
 
+import run_source  # noqa: E402
 from certificate_source import data, head, source  # noqa: E402
 from coq_output import WIDE, axioms_printed  # noqa: E402
-from coq_run import run  # noqa: E402
+from coq_run import LIMIT, run  # noqa: E402
 from limits import Limits, Rejected, require  # noqa: E402
 from pieces import POINTS, read_certificate  # noqa: E402
-from reading import entries, one_of, rational, read_range  # noqa: E402
+from reading import entries, one_of, rational, read_header, read_lines, read_range  # noqa: E402
+from run import VERSION, check_run  # noqa: E402
 from source_rules import LIBRARY  # noqa: E402
 
 BUILD = HERE.parents[1] / "build" / "coq"
@@ -54,6 +59,12 @@ LARGEST = 100
 """Of |beta|, of a number of zeros, of |tau|: the plan and Coq's numbers grow with them."""
 LONGEST = 500_000
 """Bytes of a file: Coq holds each as a term."""
+LONGEST_RUN = 2_000_000
+"""Bytes of a run, of which Coq holds the first line and numbers."""
+MOST = {"steps": 200, "pieces": 600, "bounds": 4_000, "coefficients of a polynomial": 100, "bits": 640}
+"""Of the first phase of a run: what Coq's time grows with."""
+LIMIT_RUN = 600
+"""Seconds until Coq is stopped, of a run."""
 UNKNOWN = {
     "sign": {"fold", "level", "dip"},
     "zeros": {"level", "dip"},
@@ -87,6 +98,23 @@ split.
 - apply (force_accepted_is_true given_plans). vm_cast_no_check (eq_refl true).
 Qed.
 """
+RUN_HEAD = """(** * The first phase of a run *)
+
+From Coq Require Import ZArith QArith List String.
+From GSpot Require Import CompliantMotion RunScene RunText RunChecker.
+Import ListNotations.
+Open Scope Z_scope.
+"""
+RUN_PROOF = """
+From GSpot Require Import StatementRun RunRuns.
+
+Theorem given_is_true : given_line = header_text given_header /\\ true_run_claim (its_scene given_header).
+Proof.
+split.
+- vm_compute. reflexivity.
+- apply (accepted_run_is_true given). vm_cast_no_check (eq_refl true).
+Qed.
+"""
 BY_PIECES = "accepted_is_true F given_plans given HF"
 BY_LAW = "counted_is_true F (claimed given) HF"
 BEGINS = """From Coq Require Import String.
@@ -118,6 +146,18 @@ Eval vm_compute in GSpot.ForceText.force_claim_text (GSpot.ForceText.force_claim
 Print Assumptions given_is_true.
 """
 )
+RUN_AUDIT = (
+    BEGINS.format(statements="RunText StatementRun")
+    + WIDE
+    + """
+Definition given_is_true : Given.given.given_line = GSpot.RunText.header_text Given.given.given_header
+  /\\ GSpot.StatementRun.true_run_claim (GSpot.RunText.its_scene Given.given.given_header)
+  := Given.given.given_is_true.
+Eval vm_compute in Given.given.given_line.
+Eval vm_compute in GSpot.RunText.first_phase_text (GSpot.RunText.its_scene Given.given.given_header).
+Print Assumptions given_is_true.
+"""
+)
 PRINTED = re.compile(r' += "((?:[^"]|"")*)"%string\n +: string\n')
 """A string as Coq prints it."""
 
@@ -141,6 +181,11 @@ def read(given: bytes) -> str:
 
     :raises ValueError: it has not the format, or the checker in Coq does not know its kind or one of its pieces.
     """
+    try:
+        if len(given) <= LONGEST_RUN and read_header(given.partition(b"\n")[0])[0] == VERSION:
+            return read_run(given)
+    except Rejected as error:
+        raise ValueError(f"Not a certificate: {error}") from error
     if len(given) > LONGEST:
         raise ValueError(f"Out of range: the checker in Coq reads files of up to {LONGEST} bytes.")
     try:
@@ -204,6 +249,27 @@ def read_force(statement: dict[str, Any], version: int, ends: list[Any]) -> None
         raise ValueError(f"Out of range: the checker in Coq reads ends of beta of denominators up to {most} here.")
 
 
+def read_run(given: bytes) -> str:
+    """The text of a run that proofs/checker accepts, and of which the checker in Coq may know the first phase.
+
+    :raises ValueError: the run is not of this kind, or its first phase is too long.
+    :raises Rejected: proofs/checker does not accept the run.
+    """
+    first, *lines = read_lines(given, Limits())
+    check_run(*read_header(first)[1:], lines, Limits(), len(given))
+    text = given.decode()
+    _, bits, _, steps = run_source.read(text)
+    pieces = [piece for step in steps for piece in step["pieces"]]
+    sizes = [len(steps), len(pieces), sum(len(piece["nodes"]) for piece in pieces)]
+    sizes += [max(len(c) for step in steps for c in step["x"].values()), bits]
+    for (name, most), size in zip(MOST.items(), sizes, strict=True):
+        if size > most:
+            raise ValueError(
+                f"Out of range: the checker in Coq reads a first phase of up to {most} {name}, not {size}."
+            )
+    return text
+
+
 def has_fold(text: str) -> bool:
     """Whether a certificate that was read holds a fold."""
     columns = [json.loads(line) for line in text.split("\n")[1:-2]]
@@ -219,45 +285,82 @@ def within(*numbers: float | Fraction) -> None:
         raise ValueError(f"Out of range: the checker in Coq reads numbers up to {LARGEST}.")
 
 
-def claim_printed(output: str, text: str) -> tuple[str, str]:
-    """The claim in what Coq printed for AUDIT, and what it printed after it.
+def strings_printed(output: str) -> tuple[str, str, str]:
+    """The two strings in what Coq printed for an audit, and what it printed after them.
 
-    :raises RuntimeError: it is not understood, or Coq's text or claim is not the one of the certificate.
+    :raises RuntimeError: it is not understood.
     """
     first = PRINTED.match(output)
     second = PRINTED.match(output, first.end()) if first else None
     if first is None or second is None:
         raise RuntimeError(f"What Coq prints is not understood:\n{output:.500}")
     held, claim = (match[1].replace('""', '"') for match in (first, second))
-    header = text.partition("\n")[0]
-    if held != text or not header.endswith(f',"statement":{claim},"version":{json.loads(header)["version"]}}}'):
+    return held, claim, output[second.end() :]
+
+
+def claim_printed(output: str, text: str) -> tuple[str, str]:
+    """The claim in what Coq printed for AUDIT, and what it printed after it.
+
+    :raises RuntimeError: it is not understood, or Coq's text or claim is not the one of the certificate.
+    """
+    held, claim, rest = strings_printed(output)
+    line = text.partition("\n")[0]
+    header = json.loads(line)
+    if header["version"] == VERSION:
+        same = held == line and claim == first_phase(header["statement"])
+    else:
+        same = held == text and line.endswith(f',"statement":{claim},"version":{header["version"]}}}')
+    if not same:
         raise RuntimeError("Coq was given another text than that of the file.")
-    return claim, output[second.end() :]
+    return claim, rest
+
+
+def first_phase(statement: dict[str, Any]) -> str:
+    """What Coq proves of a run: its scene, up to the first event."""
+    claim = {name: statement[name] for name in ("epsilon", "parameters", "start")}
+    return json.dumps(claim | {"first_event": statement["events"][0]}, sort_keys=True, separators=(",", ":"))
+
+
+def sources(text: str) -> dict[str, str]:
+    """What Coq compiles: the certificate with the proof, and what prints the claim and its axioms."""
+    version = json.loads(text.partition("\n")[0])["version"]
+    if version == VERSION:
+        return {"given.v": RUN_HEAD + run_source.data(text) + RUN_PROOF, "audit.v": RUN_AUDIT}
+    theorem = BY_LAW if has_fold(text) else BY_PIECES
+    proof, audit = (PROOF, AUDIT) if version == 1 else (FORCE_PROOF, FORCE_AUDIT)
+    end = proof.format(hash=text.split("\n")[-2].removeprefix("sha256 "), theorem=theorem)
+    return {"given.v": head("A certificate", text) + data("given", text) + end, "audit.v": audit}
 
 
 def proved(text: str, library: dict[str, bytes]) -> str:
     """The claim of a certificate, as Coq printed it after it has accepted the proof; ``library``: the compiled proofs.
 
     :raises RuntimeError: Coq does not accept it, or what it prints is not understood, or an axiom is not allowed.
+    :raises ValueError: no source can be written.
     """
-    theorem = BY_LAW if has_fold(text) else BY_PIECES
-    proof, audit = (PROOF, AUDIT) if json.loads(text.partition("\n")[0])["version"] == 1 else (FORCE_PROOF, FORCE_AUDIT)
-    end = proof.format(hash=text.split("\n")[-2].removeprefix("sha256 "), theorem=theorem)
-    sources = {"given.v": head("A certificate", text) + data("given", text) + end, "audit.v": audit}
+    written = sources(text)
+    limit = LIMIT_RUN if "given_line" in written["audit.v"] else LIMIT
     with tempfile.TemporaryDirectory(prefix="check_in_coq-") as place:
         folder, proofs = Path(place, "given"), Path(place, "proofs")
         folder.mkdir()
         proofs.mkdir()
         for name, compiled in library.items():
             (proofs / name).write_bytes(compiled)
-        for name, lines in sources.items():
+        for name, lines in written.items():
             (folder / name).write_text(lines, encoding="utf-8")
-            done = run(["coqc", "-q", "-R", "../proofs", LIBRARY, "-R", ".", "Given", name], folder)
+            done = run(["coqc", "-q", "-R", "../proofs", LIBRARY, "-R", ".", "Given", name], folder, limit)
             if done.returncode:
                 raise RuntimeError(done.stdout + done.stderr)
     claim, rest = claim_printed(done.stdout, text)
     axioms_printed(rest, ["given_is_true"])
     return claim
+
+
+def how_far(text: str) -> str:
+    """What the answer adds where not all of the file is looked at."""
+    if json.loads(text.partition("\n")[0])["version"] == VERSION:
+        return ", of the first phase alone, contact and then the first lift-off"
+    return " by the count law, without the pieces" if has_fold(text) else ""
 
 
 def deepen_the_stack() -> None:
@@ -276,7 +379,7 @@ def main(arguments: list[str]) -> int:
         return 2
     try:
         with Path(arguments[0]).open("rb") as file:
-            given = file.read(LONGEST + 1)
+            given = file.read(LONGEST_RUN + 1)
     except OSError as error:
         print(f"Not run: {error}")
         return 2
@@ -297,8 +400,7 @@ def main(arguments: list[str]) -> int:
         return 2
     deepen_the_stack()
     try:
-        how = " by the count law, without the pieces" if has_fold(text) else ""
-        print(f"Proved in Coq{how}: {proved(text, library)}")
+        print(f"Proved in Coq{how_far(text)}: {proved(text, library)}")
     except (RuntimeError, ValueError) as error:
         print(error)
         return 1

@@ -72,7 +72,7 @@ STATED_IN = (
 )
 """The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, certificates, checkers of
 these, a checker of runs."""
-READ = (*STATED_IN, "CertificateText", "ForceText", "RunScene")
+READ = (*STATED_IN, "CertificateText", "ForceText", "RunScene", "RunText")
 """Who wants to know what is proved reads these."""
 BELIEVED = {
     "CheckerCertificate": {"accepts", "counted"},

@@ -94,16 +94,16 @@ def inverse(S: Matrix) -> tuple[Matrix, int]:
 def without_clock(piece: dict[str, Any], names: list[str]) -> tuple[Matrix, list[int]]:
     """The basis of a piece, rounded, without the clock T, whose error is 0; and the first column of each one's block.
 
-    :raises ValueError: a column that moves T moves another state in its block, too.
+    :raises ValueError: the column that moves T most has others in its block.
     """
     n, blocks = len(names), list(piece["blocks"])
     S = [[exact(piece["basis"][i * n + k]) for k in range(n)] for i in range(n)]
-    clock = names.index("T")
-    moved = [k for k in range(n) if S[clock][k]]
-    block = next((j for j in range(len(blocks)) if [sum(blocks[:j])] == moved), None)
+    moves = [abs(value) for value in S[names.index("T")]]
+    moved = moves.index(max(moves))
+    block = next((j for j in range(len(blocks)) if sum(blocks[:j]) == moved), None)
     if block is None or blocks[block] != 1:
         raise ValueError("The checker of runs in Coq does not know a basis in which the clock is no block by itself.")
-    kept = [k for k in range(n) if k not in moved]
+    kept = [k for k in range(n) if k != moved]
     sizes = blocks[:block] + blocks[block + 1 :]
     first = [sum(sizes[:j]) for j, size in enumerate(sizes) for _ in range(size)]
     states = [names.index(name) for name in COORDINATES]
@@ -119,12 +119,13 @@ def plus(p: list[int], q: list[int], factor: int = 1) -> list[int]:
 class Errors:
     """The bounds of the errors, from piece to piece, as RunChecker.v computes them."""
 
-    def __init__(self, rates: list[int], clock: int, grain: int) -> None:
-        """No error; ``rates``: below, rate1, rate2, rate3, first_p."""
+    def __init__(self, rates: list[int], clock: int, grain: int, start: list[Fraction], middle: list[int]) -> None:
+        """[first_errors]: how far ``start`` is from ``middle``; ``rates``: below, rate1, rate2, rate3, first_p."""
         self.rates, self.clock, self.grain = rates, clock, grain
         self.fine = 2 ** (ERRORS + FINEST) // grain
-        self.basis, self.blocks, self.radii = [[int(i == k) for k in FOUR] for i in FOUR], [*FOUR], [0] * 4
-        self.middle: list[int] | None = None
+        self.basis, self.blocks = [[int(i == k) for k in FOUR] for i in FOUR], [*FOUR]
+        self.radii = [math.ceil(abs(a * grain - m) * self.fine) for a, m in zip(start, middle, strict=True)]
+        self.middle = middle
         self.begin = 0
 
     def defects(self, h: int, x: list[list[int]]) -> list[int]:
@@ -243,7 +244,8 @@ def read(text: str) -> tuple[dict[str, Any], int, dict[str, Any], list[dict[str,
     known = (
         statement["effects"] == ["compliant_contact", "lift_off"]
         and all(statement["parameters"][name] == "1" for name in ("k_1", "k_2", "damping"))
-        and (phase["phase"], phase["event"], statement["events"][0][0]) == ("slip", "lift-off", "lift-off")
+        and (phase["phase"], phase["event"]) == ("slip", "lift-off")
+        and [event[0] for event in statement["events"][:1]] == ["lift-off"]
         and all(sorted(step["x"]) == sorted([*COORDINATES, "T"]) for step in steps)
     )
     if not known:
@@ -251,8 +253,15 @@ def read(text: str) -> tuple[dict[str, Any], int, dict[str, Any], list[dict[str,
     return statement, bits["bits"], phase, steps
 
 
-def source(name: str, text: str) -> str:
-    """A file of the development that holds the scene with the bracket of its first event, and the run up to it.
+def scene(statement: dict[str, Any]) -> str:
+    """The scene with the bracket of its first event as a Coq term."""
+    of = statement["parameters"] | statement["start"]
+    words = [statement["epsilon"], *(of[name] for name in ("alpha_1", "alpha_2", "beta", *"bpvyz"))]
+    return f"Scene {' '.join(number(Fraction(word)) for word in (*words, *statement['events'][0][1:]))}"
+
+
+def run(text: str) -> str:
+    """The run up to the first event as a Coq term.
 
     :raises ValueError: it is not a run that is known; a basis or a number is not of the form that is known.
     """
@@ -268,14 +277,15 @@ def source(name: str, text: str) -> str:
     below = math.lcm(*(rate.denominator for rate in rates))
     left, right = map(exact, phase["bracket"])
     halvings = next((m for m in range(bits, 0, -1) if right * 2**m <= 1), 0)
-    errors = Errors([below, *(int(rate * below) for rate in rates)], clock, 2**digits)
+    start = [of["b"], of["y"] / eps**2, of["v"] / eps, of["z"] / eps**2]
+    first = [steps[0]["x"][name][0] * 2 ** (digits - steps[0]["unit"]) for name in COORDINATES]
+    errors = Errors([below, *(int(rate * below) for rate in rates)], clock, 2**digits, start, first)
     given = []
     for step, length in zip(steps, lengths, strict=True):
         h, more = int(length * clock), 2 ** (digits - step["unit"])
         x = [[c * more for c in step["x"][name]] for name in COORDINATES]
         defect, at, lines = errors.defects(h, x), 0, []
-        middle = errors.middle or [p[0] for p in x]
-        jump = [(middle[i] - x[i][0]) * errors.fine for i in FOUR]
+        jump = [(errors.middle[i] - x[i][0]) * errors.fine for i in FOUR]
         for piece in step["pieces"]:
             end = int(exact(piece["end"]) * clock)
             parts = 2 * (len(piece["nodes"]) - 1)
@@ -285,13 +295,38 @@ def source(name: str, text: str) -> str:
         errors.begin += h
         curve = row([f"[{'; '.join(integer(c) for c in p)}]" for p in x])
         given.append(f"Step {h}\n   {curve}\n   [{(';' + chr(10) + '   ').join(lines)}]")
-    scene = [eps, *(of[name] for name in ("alpha_1", "alpha_2", "beta", *"bpvyz"))]
-    words = [number(Fraction(value)) for value in (*scene, *statement["events"][0][1:])]
     head = [integer(value) for value in (below, *(rate * below for rate in rates))]
     units = [clock, f"(2 ^ {digits})", integer(errors.fine), f"(2 ^ {SCALE})", integer(unit)]
     ends = [integer(left * unit), integer(right * unit), f"{halvings}%nat", f"{DEPTH}%nat"]
     between = ";\n  "
+    return f"Run (Rates {' '.join(head)}) {' '.join(map(str, units))}\n  [{between.join(given)}]\n  {' '.join(ends)}"
+
+
+def source(name: str, text: str) -> str:
+    """A file of the development that holds the scene with the bracket of its first event, and the run up to it.
+
+    :raises ValueError: as of [run].
+    """
+    given = read(text)[0]
     return HEADER.format(name=name) + (
-        f"\nDefinition {name}_scene : scene := (Scene {' '.join(words)})%Q.\n\nDefinition {name} : run := Run (Rates"
-        f" {' '.join(head)}) {' '.join(map(str, units))}\n  [{between.join(given)}]\n  {' '.join(ends)}.\n"
+        f"\nDefinition {name}_scene : scene := ({scene(given)})%Q.\n\nDefinition {name} : run := {run(text)}.\n"
+    )
+
+
+def data(text: str) -> str:
+    """The first line of the file, the same as a term, and the run up to the first event, for check_in_coq.py.
+
+    :raises ValueError: as of [run].
+    """
+    statement, line = read(text)[0], text.partition("\n")[0]
+    later = [
+        f'("{name}"%string, ({number(Fraction(low))}, {number(Fraction(high))}))'
+        for name, low, high in statement["events"][1:]
+    ]
+    end = "true" if statement["end"] == "for ever" else "false"
+    doubled = line.replace('"', '""')
+    return (
+        f'\nDefinition given_line : string := "{doubled}"%string.\n\nDefinition given_header : header :='
+        f" Header\n  ({scene(statement)})%Q\n  [{'; '.join(later)}]%Q {number(Fraction(statement['until']))} {end}.\n"
+        f"\nDefinition given : run := {run(text)}.\n"
     )

@@ -225,7 +225,7 @@ def run_by(
     """Coq is replaced by a function; the folders in which it is run."""
     folders = []
 
-    def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    def run(command: list[str], folder: Path, _: float) -> subprocess.CompletedProcess[str]:
         folders.append(folder)
         return subprocess.CompletedProcess(command, 0, printed(command, folder), "")
 

@@ -76,6 +76,7 @@ def test_the_scene_is_that_of_the_certificate(script: ModuleType) -> None:
         ('"compliant_contact","lift_off"', '"compliant_contact"'),
         ('"event":"lift-off"', '"event":"stick"'),
         ('["lift-off"', '["touch-down"'),
+        ('"events":[', '"events":[],"others":['),
     ],
 )
 def test_a_run_that_is_not_known_is_refused(script: ModuleType, true: str, other: str) -> None:
@@ -100,6 +101,15 @@ def test_numbers_as_terms(script: ModuleType) -> None:
         script.integer(Fraction(1, 2))
 
 
+def test_a_start_between_two_units_has_its_distance_as_an_error(script: ModuleType) -> None:
+    """Coq finds the same ([first_errors]): of b = 1/3 and a first coefficient 1, in quarters."""
+    start = [Fraction(1, 3), *map(Fraction, (1, -2, 0))]
+    errors = script.Errors([1, 1, 1, 1, 1], 1, 4, start, [1, 4, -8, -1])
+    third = -(-errors.fine // 3)
+    assert errors.radii == [third, 0, 0, errors.fine]
+    assert errors.middle == [1, 4, -8, -1]
+
+
 def test_the_inverse_times_the_matrix_is_the_factor(script: ModuleType) -> None:
     choice = random.Random(5)
     for _ in range(20):
@@ -116,7 +126,7 @@ def test_the_inverse_times_the_matrix_is_the_factor(script: ModuleType) -> None:
 
 
 def test_a_basis_without_the_clock(script: ModuleType) -> None:
-    """The column that moves T is left out; it must be a block by itself."""
+    """The column that moves T most is left out; it must be a block by itself."""
     names = ["T", "V", "Y", "Z", "b"]
     columns = [[0, 1, 0, 0, 0], [1, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 1]]
     basis = [[columns[k][i], 0] for i in range(5) for k in range(5)]
@@ -125,5 +135,7 @@ def test_a_basis_without_the_clock(script: ModuleType) -> None:
     rows = {"b": [0, 0, 0, one], "Y": [0, one, 0, 0], "V": [one, 0, 0, 0], "Z": [0, 0, one, 0]}
     assert kept == [rows[name] for name in script.COORDINATES]
     assert first == [0, 1, 1, 3]
+    basis[3] = [1, -60]  # what floats leave of a zero
+    assert script.without_clock({"basis": basis, "blocks": [1, 1, 2, 1]}, names) == (kept, first)
     with pytest.raises(ValueError, match="no block by itself"):
         script.without_clock({"basis": basis, "blocks": [2, 2, 1]}, names)
