@@ -111,3 +111,14 @@ Definition late_touch_down : Prop := forall a1 a2 a3 eps t0 t1 p b y v z, a1 < 0
   let kappa := eps * (a1 - a3) in
   4 <= u -> kappa * (u + 2) / 2 + 16 / (u * (u + 2)) <= - p t1 ->
   kappa * (u + 2) / 2 + 4 / (u + 2) + 4 / (u + 2) ^ 2 + 24 / (u * (u + 4)) <= 4 -> contact_for_ever eps t1 y z.
+
+(** Theorem F6 of flight.md from the state at lift-off on (1 < beta <= 3; q = - p, kappa = eps (a1 - a3), the force at
+    the mean a2/(a3 - a1)): what its Lemmas 1 and 2 find at the lift-off of a slow motion is supposed of b and v here.
+    There is exactly one flight, and the contact after it lasts for ever. *)
+Definition one_flight_from_state : Prop := forall a1 a2 a3 eps t0 p b y v z, a1 < 0 -> 3 * a1 <= a3 -> a3 < a1 ->
+  a2 < 0 -> 0 < eps -> mechanism_from a1 a2 a3 eps t0 p b y v z -> lift_off_at eps y v z t0 -> z t0 <= 0 ->
+  let kappa := eps * (a1 - a3) in let q := - p t0 in let mean := a2 / (a3 - a1) in
+  0 < q -> 64 * kappa ^ 2 <= q ^ 3 -> kappa <= 27 / 64 -> 27 / 2 * q + sqrt (18 * kappa * sqrt q) + 2 * kappa <= 4 ->
+  q * mean / 4 <= b t0 -> b t0 <= 9 / 2 * q * mean -> v t0 / eps <= 3 * sqrt q * mean ->
+  exists t1, t0 < t1 /\ (forall t, t0 < t < t1 -> z t < y t) /\ touch_down_at eps y v z t1 /\
+    contact_for_ever eps t1 y z.

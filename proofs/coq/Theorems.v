@@ -11,6 +11,7 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   RecurrenceTail FoldAndHinge ContinuityInBeta ZeroCurves ZerosAtInteger CompliantKernel CompliantIntegral
   CompliantSlow CompliantMechanism CompliantUnique InitialValueProblem CompliantMotion CompliantForward CompliantZeros
   CompliantLimit CompliantCases CompliantOpen CompliantSlowMotion CompliantFlight CompliantSlowFlight CompliantTouchDown
+  CompliantOneFlight
   CompliantLateCone CompliantStable CompliantEveryState LeftExpansion CompliantMonotone CompliantThreshold EnvelopingLow
   GammaMultiplication EntireForm DifferentiableInBeta ZeroSlopes DerivativeTail CompliantDeviation EtaSeries
   ExponentPowers CompliantSeries CompliantPolynomial CompliantCorrection CompliantPower CompliantLaw CompliantUpper
@@ -789,6 +790,9 @@ apply (CompliantGrowth.contact_lasts a1 a2 a3 eps t1 p b y v z He). { intros t H
 intros P B Y V Z Hlin HP HB HY HV HZ.
 exact (late_above_one a1 a2 a3 eps t0 t1 p b y v z H1 H2 He Hm Hlift Hz Hf P B Y V Z Hlin HP HB HY HV HZ H31 Hu Hp Hq).
 Qed.
+
+Theorem one_flight_from_state : StatementFlight.one_flight_from_state.
+Proof. exact (CompliantOneFlight.one_flight_of flight_ends late_touch_down). Qed.
 
 (** ** Validated steps *)
 
