@@ -2,8 +2,8 @@
 
     The second half of Theorem F6 of flight.md. In the time u = t/eps since lift-off, with A = - eps a2 = kappa m, V =
     v/eps and y = - z/eps^2 at lift-off, the flight ends where V u + b u^2/2 - A u^3/6 = y (1 - e^(-u)). From y < V and
-    1 - e^(-u) <= u: A u > 3 b, so u >= 4 ([long_flight]); from y >= 0: kappa u is at most the larger root of s^2 = (27/2)
-    q s + 18 kappa sqrt q, so kappa (u + 2) <= 4 ([short_flight]). Then the touch-down is late enough
+    1 - e^(-u) <= u: A u > 3 b, so u >= 4 ([long_flight]); from y >= 0: kappa u is at most the larger root of
+    s^2 = (27/2) q s + 18 kappa sqrt q, so kappa (u + 2) <= 4 ([short_flight]). Then the touch-down is late enough
     ([late_touch_down]). *)
 
 From Coq Require Import Reals Psatz Lra Lia.
