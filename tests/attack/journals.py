@@ -234,13 +234,14 @@ def _judged_tubes(text: str, over: str, random: Random) -> Answer:
             sweep(mechanism, {"par": over}, spot=2, journal=places[1])
         except (MechanismError, GSpotError, ValueError):
             places[1] = places[0]
-        head, line = places[0].read_text().splitlines()
-        number, expected, cells = json.loads(line)
-        others = json.loads(places[1].read_text().splitlines()[1])[2]
+        head, *lines = places[0].read_text().splitlines()
+        portions = [json.loads(line) for line in lines]
+        others = [cell for line in places[1].read_text().splitlines()[1:] for cell in json.loads(line)[2]]
         for _ in range(random.randint(1, 4)):
-            cells = _forged_cells(cells, others, random)
+            portion = random.choice(portions)
+            portion[2] = _forged_cells(portion[2], others, random)
         place = Path(folder) / "forged"
-        place.write_text(f"{head}\n{json.dumps([number, expected, cells])}\n")
+        place.write_text("\n".join([head, *map(json.dumps, portions), ""]))
         with pytest.MonkeyPatch.context() as patch:
             # As if the digest were that of the pieces which come out along the forged tubes.
             along = lambda question, work, text: examine(question, work, read_line(text)[2])  # noqa: E731
