@@ -41,13 +41,13 @@ class Happened:
 
 def what_happens(motion: Simulated, functions: ContactFloats, surface_velocity: float = 0.0) -> Happened:
     """Contact is lost where the force is 0 (if there is none: where y > 0) for a hundredth of the time and longer;
-    slip stops where it is below a hundredth of what it was."""
+    slip stops where it is below a hundredth of what it was, or has turned since the row before."""
     contacts = [functions.contact(state) for state in motion.states]
     slips = [contact.u - surface_velocity for contact in contacts]
     free = [c.y > 0 for c in contacts] if motion.forces is None else [force <= 0 for force in motion.forces]
     lasting = _LASTING * (motion.times[-1] - motion.times[0])
     left = _lost(motion.times, free, lasting)
-    stopped = next((i for i, slip in enumerate(slips) if abs(slip) < _SLOW * abs(slips[0])), None)
+    stopped = next((i for i, slip in enumerate(slips) if slip * slips[0] < _SLOW * slips[0] ** 2), None)
     if left is not None and (stopped is None or left < stopped):
         what = LEAVES if abs(slips[left]) > _BRAKED * abs(slips[0]) else IMPULSE
         return Happened(what, motion.times[left], slips[left])

@@ -39,6 +39,7 @@ TIMES = [k / 100 for k in range(101)]
         ([2.0] * 101, [-1e-6] * 40 + [1e-6] * 61, None, Happened(LEAVES, 0.40, 2.0)),
         ([2.0] * 101, [-1e-6] * 40 + [1e-6] + [-1e-6] * 60, None, Happened(NOTHING, None, None)),
         ([2.0] * 40 + [0.5] * 61, [-1e-6] * 41 + [1e-6] * 60, None, Happened(IMPULSE, 0.41, 0.5)),
+        ([2.0] * 40 + [-2.0] * 61, [-1e-6] * 101, None, Happened(STOPS, 0.40, -2.0)),  # it turned between two rows
         ([2.0] * 40 + [0.01] * 61, [-1e-6] * 60 + [1e-6] * 41, None, Happened(STOPS, 0.40, 0.01)),
         ([2.0] * 101, [1e-6] * 101, [1.0] * 101, Happened(NOTHING, None, None)),
         ([2.0] * 101, [-1e-6] * 101, [1.0] * 70 + [0.0] * 31, Happened(LEAVES, 0.70, 2.0)),
