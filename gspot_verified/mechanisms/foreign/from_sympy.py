@@ -28,7 +28,7 @@ from gspot_verified.numbers.balls import ExactInput
 CONTACT = ("x", "slip_velocity", "slip", "y", "mu")
 G_SPOT = ("search", "fixed", "conditions", "point")
 _TIME = "t"
-_ASSUMED = ("positive", "negative", "nonnegative", "nonpositive", "nonzero", "integer")
+_ASSUMED = ("positive", "negative", "nonnegative", "nonpositive", "nonzero", "integer", "even", "odd")
 
 
 def from_sympy(
@@ -127,6 +127,11 @@ def from_sympy(
     return made_so
 
 
+def _assumed(symbol: Any) -> list[str]:
+    """What sympy assumes of it, also where it may be infinite (extended_positive): that is simplified with, too."""
+    return [word for word in _ASSUMED if getattr(symbol, f"is_{word}") or getattr(symbol, f"is_extended_{word}", False)]
+
+
 def _only(name: str, what: str, given: Mapping[str, Any], keys: Sequence[str]) -> dict[str, Any]:
     if not isinstance(given, Mapping):
         raise MechanismError(f"{name}: {what}: give a table with {', '.join(keys)}, got {type(given).__name__}")
@@ -182,7 +187,7 @@ class _Translation:
             raise MechanismError(
                 f"{self._name}: the coordinate {coordinate} is no function of time: make it with dynamicsymbols"
             )
-        assumed = [word for word in _ASSUMED if getattr(coordinate, f"is_{word}")]
+        assumed = _assumed(coordinate)
         if assumed:
             raise MechanismError(
                 f"{self._name}: the coordinate {coordinate} is assumed {assumed[0]}: formulas that were simplified "
@@ -304,5 +309,4 @@ class _Translation:
 
     def assumptions(self) -> tuple[tuple[str, str], ...]:
         """What sympy assumes of the symbols, by their names here."""
-        return tuple((word, each) for symbol, word in self.words.items() for each in _ASSUMED
-                     if getattr(symbol, f"is_{each}"))  # fmt: skip
+        return tuple((word, each) for symbol, word in self.words.items() for each in _assumed(symbol))

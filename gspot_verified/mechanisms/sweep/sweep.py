@@ -12,8 +12,12 @@ from pathlib import Path
 
 from flint import arb, fmpq
 
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.expressions import Expression, Variable
+from gspot_verified.mechanisms.formulas.rewriting import replaced
 from gspot_verified.mechanisms.formulas.simplify import rational_value
-from gspot_verified.mechanisms.input.mechanism import Mechanism, exact_rational, require_mechanism
+from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, exact_rational, require_mechanism
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem, parametric_system
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep.sweep_division import Patchwork
@@ -23,11 +27,19 @@ from gspot_verified.mechanisms.sweep.sweep_grid import Axis, Grid, Ranges, axes_
 from gspot_verified.mechanisms.sweep.sweep_pieces import SweptPieces
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 from gspot_verified.mechanisms.sweep.sweep_work import Question, open_journal, portions, results
-from gspot_verified.numbers.balls import Exact, ExactInput, working_bits
+from gspot_verified.numbers.balls import Exact, ExactInput, hull, working_bits
 from gspot_verified.work.executors import InProcessExecutor
 
 BUDGET = 500  # pieces that are divided again, where no budget is given
 _MAX_DIGITS = 15  # of a bracket: BITS = 80 leave about 24 decimals
+_HOLDS: dict[str, Callable[[arb], bool]] = {
+    "positive": lambda value: value > 0,
+    "negative": lambda value: value < 0,
+    "nonnegative": lambda value: value >= 0,
+    "nonpositive": lambda value: value <= 0,
+    "nonzero": lambda value: not value.contains(0),
+}
+"""What sympy assumes, as a test of a ball; that a value is an integer holds on no range."""
 
 
 def sweep(
@@ -148,7 +160,30 @@ def _axes(mechanism: Mechanism, parameters: Ranges) -> tuple[Axis, ...]:
         low, high = axis.lower, axis.upper
         for value in (low, high, low + min(fmpq(1), high - low) / 2, max(low, min(high, fmpq(0)))):
             mechanism.with_parameters(**{axis.name: value})  # refused where formulas assume another sign, or an integer
+    _check_assumed_between(mechanism, axes)
     return axes
+
+
+def _check_assumed_between(mechanism: Mechanism, axes: Sequence[Axis]) -> None:
+    """What formulas were simplified under holds on the whole range, for parameters that follow those that vary.
+
+    :raises MechanismError: it does not, or not certainly.
+    """
+    varying = {axis.name: Variable(i) for i, axis in enumerate(axes)}
+    free = mechanism.with_parameters(**dict.fromkeys(varying)).parameter_values()
+    for name, word in mechanism.assumed:
+        value = free.get(name)
+        if value is None or name in varying or not symbol_names([value]) & {*varying}:
+            continue
+        table: dict[Expression, Expression] = {Symbol(each): variable for each, variable in varying.items()}
+        with working_bits(BITS):
+            box = [hull([arb(axis.lower), arb(axis.upper)]) for axis in axes]
+            found = BoxProgram(replaced([value], table), len(axes)).values(box)[0]
+        if not _HOLDS.get(word, lambda _: False)(found):
+            over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in axes)
+            raise MechanismError(
+                f"{mechanism.name}: sympy's symbol {name} is assumed {word}; its value may not be, for {over}"
+            )
 
 
 def _start(mechanism: Mechanism, axes: Sequence[Axis], given: Mapping[str, ExactInput]) -> tuple[fmpq, ...]:

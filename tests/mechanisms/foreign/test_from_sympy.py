@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -32,6 +33,7 @@ from mechanisms.foreign.two_link import (
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 from gspot_verified import Scene, SceneError, classify, from_sympy, load, sweep
+from gspot_verified.expansion.series.system import GSpotError
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.formulas.simplify import constant, rational_value
 from gspot_verified.mechanisms.input.given import from_energies, lagrangian
@@ -357,11 +359,43 @@ def test_what_sympy_assumed_of_a_symbol_must_hold() -> None:
             later.with_parameters(k=-3)
     with pytest.raises(MechanismError, match="symbol k is assumed positive; its value is -1"):
         sweep(left, {"k": "-1..3:2"})
+    # At both ends and at 0 it is positive, between 2 and 4 not.
+    follows = of_block(L, parameters={m: 5, g: 10, stiff: (m - 3) ** 2 - 1})
+    for ranges in ({"m": "1/2..5:2"}, {"m": "1/2..5:2", "g": "9..11:2"}):
+        with pytest.raises(MechanismError, match=r"k is assumed positive; its value may not be, for m in \[1/2, 5\]"):
+            sweep(follows, ranges)
+    with pytest.raises(GSpotError):  # no complaint of k
+        sweep(follows, {"m": "9/2..5:2"})
     twice = of_block(L, parameters={m: None, g: 10, stiff: -m})
     with pytest.raises(MechanismError, match="symbol k is assumed positive; its value is -2"):
         twice.with_parameters(m=2)
     sign = dynamicsymbols("s", positive=True)
     with pytest.raises(MechanismError, match=r"coordinate s\(t\) is assumed positive"):
+        from_sympy((sympy.eye(2), [0, -1]), coordinates=[sign, y], contact={"x": sign, "y": y, "mu": 1})
+
+
+@pytest.mark.parametrize(
+    ("assumption", "formula", "value", "wrong"),
+    [
+        ("extended_positive", lambda k: sympy.sqrt(k**2), 3, -3),
+        ("extended_nonnegative", lambda k: sympy.sqrt(k**2), 0, -3),
+        ("extended_negative", lambda k: sympy.sqrt(k**2), -3, 3),
+        ("even", lambda k: sympy.cos(sympy.pi * k), 2, 3),
+        ("odd", lambda k: sympy.cos(sympy.pi * k), 3, 2),
+    ],
+)
+def test_what_sympy_assumed_in_other_words_must_hold_too(
+    assumption: str, formula: Callable[[Any], Any], value: int, wrong: int
+) -> None:
+    """Sympy puts k for the root of k^2 also where k is extended_positive, and 1 for cos(pi k) where it is even."""
+    k = sympy.Symbol("k", **{assumption: True})
+    L, values = PLAIN - formula(k) * x**2 / 2, {m: 2, g: 10}
+    taken = int(formula(sympy.Integer(value)))
+    assert same(of_block(L, parameters=values | {k: value}), of_block(PLAIN - taken * x**2 / 2))
+    with pytest.raises(MechanismError, match=f"symbol k is assumed .*; its value is {wrong}"):
+        of_block(L, parameters=values | {k: wrong})
+    sign = dynamicsymbols("s", **{assumption: True})
+    with pytest.raises(MechanismError, match=r"coordinate s\(t\) is assumed"):
         from_sympy((sympy.eye(2), [0, -1]), coordinates=[sign, y], contact={"x": sign, "y": y, "mu": 1})
 
 
