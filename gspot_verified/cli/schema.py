@@ -87,6 +87,7 @@ class _AboutExpansion(TypedDict):
 class _Scene(TypedDict):
     name: str
     mechanism: str | None
+    notes: list[str]
     effects: list[str]
     costs: list[EffectCost]
     assumes: dict[str, str]

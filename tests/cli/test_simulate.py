@@ -325,6 +325,20 @@ def test_a_mechanism_starts_before_its_g_spot(capsys: pytest.CaptureFixture[str]
     assert "slip before falling rod of" in json.loads(capsys.readouterr().out)["scene"]["name"]
 
 
+def test_it_is_said_which_way_u_and_a_belt_count(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """The falling rod to the left: as the mirrored mechanism slips forwards, a belt moves against the x of the file."""
+    text = shipped_text("falling rod").replace('"X + l*cos(theta)"\n', '"X - l*cos(theta)"\nslip = "negative"\n')
+    (tmp_path / "left.toml").write_text(text.replace("X_dot = 2", "X_dot = -2"), encoding="utf-8")
+    words = ["simulate", str(tmp_path / "left.toml"), "--spot", "1", "--float", "--eps", "1/10"]
+    assert main(words) == 2
+    assert "\n  note: negative slip: mirrored, x counts in the opposite direction" in capsys.readouterr().out
+    assert main([*words, "--json"]) == 2
+    (note,) = json.loads(capsys.readouterr().out)["scene"]["notes"]
+    assert note.endswith("; the velocity of a surface counts as u does")
+    assert main(["simulate", "rod", "--spot", "1", "--float", "--eps", "1/10", "--json"]) == 2
+    assert json.loads(capsys.readouterr().out)["scene"]["notes"] == []
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

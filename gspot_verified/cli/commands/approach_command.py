@@ -17,7 +17,7 @@ _STATE = 'The state, "phi=phi_ref + 1/10,phi_dot=-9/10": all components, or all 
 
 _TRAJECTORY = "A CSV table of a simulator: t, the components of the state, and force where it is known; repeatable."
 Surface = Annotated[
-    str | None, typer.Option("--surface-velocity", help="Tangential velocity of the surface; 0 if u > 0.")
+    str | None, typer.Option("--surface-velocity", help="Velocity of the surface, counted as u; 0 if u > 0.")
 ]
 Spot = Annotated[
     int | None,

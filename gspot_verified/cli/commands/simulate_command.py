@@ -305,6 +305,11 @@ def _moving(scene: Scene) -> str:
     return "model" if scene.mechanism is None else scene.mechanism.name
 
 
+def _notes(scene: Scene) -> tuple[str, ...]:
+    """How the mechanism was read: which way u, x and the velocity of a belt count."""
+    return () if scene.mechanism is None else scene.mechanism.notes
+
+
 def _start(scene: Scene) -> dict[str, fmpq | arb]:
     """The start; an angle that has a reference is counted from it."""
     angles = () if scene.mechanism is None else scene.mechanism.angles
@@ -323,6 +328,7 @@ def _scene_json(scene: Scene) -> dict[str, Any]:
     return {
         "name": scene.name,
         "mechanism": None if scene.mechanism is None else scene.mechanism.name,
+        "notes": list(_notes(scene)),
         "effects": list(scene.effects),
         "costs": [cost.to_json() for cost in effect_costs(scene)],
         "assumes": scene.assumes(),
@@ -362,6 +368,8 @@ def _show(scene: Scene, runs: list[SceneRun]) -> None:
             typer.echo(f"  {said}")
     for name, line in scene.assumes().items():
         typer.echo(f"  without {name}: {line}")
+    for note in _notes(scene):
+        typer.echo(f"  note: {note}")
 
 
 def _write(

@@ -51,9 +51,9 @@ def approach(
 
     ``state`` gives all components, or all but two, which y = 0 and v = 0 then determine. With ``spot``, the number of
     a G-spot as ``classify_all`` lists them, all others that are left out are those of that G-spot.
-    ``surface_velocity`` is the constant tangential velocity of the surface: stick is u = surface_velocity. Without it
-    the surface is at rest if u > 0 at the start; if u < 0 there, nothing is asked of u and the result says which
-    surfaces it holds for.
+    ``surface_velocity`` is the constant tangential velocity of the surface: stick is u = surface_velocity (so
+    it counts against the x of the file where negative slip is mirrored). Without it the surface is at rest if u > 0 at
+    the start; if u < 0 there, nothing is asked of u and the result says which surfaces it holds for.
 
     Proved: the trajectory reaches a G-spot (in finite time, with λ_N > 0 and positive slip until then), or lifts off,
     or sticks, first. At a G-spot C_1 is enclosed and its sign gives the side by the paper's rule.

@@ -98,6 +98,8 @@ class Approach(NoTruthValue, Written):
         if self.solved:
             lines.append(f"  {' and '.join(self.solved)} from y = 0 and v = 0")
         lines.append(f"  {self.verdict}")
+        if self.surface_velocity not in (None, "0"):
+            lines.append(f"  on a surface with the velocity u = {self.surface_velocity}")
         if self.time is not None:
             lines.append(f"  after the time t = {ball_text(self.time)}")
         if self.place:

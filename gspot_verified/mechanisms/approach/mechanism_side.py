@@ -124,7 +124,7 @@ def _statement(mechanism: Mechanism, found: Approach) -> str:
         else ""
     )
     if found.surface_velocity not in (None, "0"):
-        surface = f" on a surface with the velocity {found.surface_velocity}"
+        surface = f" on a surface with the velocity u = {found.surface_velocity}"
     below = ""
     if springs.c > 0:
         contact = Contact.of(springs)

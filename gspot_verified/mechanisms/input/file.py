@@ -53,7 +53,7 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
     fields.G_N               one formula for each component: the direction of the normal force
     contact.x                the tangential place of the contact point; its rate is the slip velocity
     contact.slip_velocity    in the place of x: a formula linear in the velocities (a belt, a rolling contact)
-    contact.slip             "positive" (if missing), or "negative": the library mirrors x
+    contact.slip             "positive" (if missing), or "negative": x and a surface's velocity are mirrored
     contact.y                the distance of the contact point from the surface
     contact.mu               the friction coefficient, a formula of the coordinates (and time); in scenes of slip_speed
     regularisation.k_1       optional, rational > 0: the stiffness in series is k_1/epsilon^2 (1 if missing)

@@ -198,7 +198,7 @@ class Mechanism(Shown):
             what = "x" if self.x is not None else "the slip velocity"
             texts.append(
                 f"negative slip: mirrored, {what} counts in the opposite direction, so that u > 0 and "
-                "lambda_T = -mu lambda_N"
+                "lambda_T = -mu lambda_N; the velocity of a surface counts as u does"
             )
         if not self.regularisation.is_papers:
             r = self.regularisation

@@ -87,6 +87,8 @@ class SimulatorComparison(NoTruthValue, Written):
     def __str__(self) -> str:
         certified = self.certified
         head = f"{certified.name}: {certified.verdict}"
+        if certified.surface_velocity not in (None, "0"):
+            head += f"\n  on a surface with the velocity u = {certified.surface_velocity}"
         if certified.time is not None:
             head += f"\n  after the time t = {approximate(certified.time):.6g}"
         if certified.end == "G-spot":
@@ -95,7 +97,7 @@ class SimulatorComparison(NoTruthValue, Written):
         rows += [(r.simulator, r.settings, r.happened, _short(r.time), _short(r.slip), r.agrees) for r in self.runs]
         widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
         table = ["  " + "  ".join(word.ljust(w) for word, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-        return "\n".join([head, *table, *(f"  {note}" for note in self.notes)])
+        return "\n".join([head, *table, *(f"  {note}" for note in (*certified.notes, *self.notes))])
 
 
 def _short(value: float | None) -> str:

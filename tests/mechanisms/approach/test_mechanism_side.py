@@ -168,7 +168,9 @@ def test_the_statement_says_what_moves_and_which_starts_it_covers(monkeypatch: p
     assert f"the limsup of ({below})/b^2 below 1, kappa = 1/2, g = 2, l = 1/2" in at_rest
     assert at_rest.index("every force Lambda,") < at_rest.index("there is an epsilon_0"), "one epsilon_0 for each force"
     assert "surface" not in at_rest
-    assert "on a surface with the velocity -1" in with_approach(monkeypatch, surface_velocity="-1").verdict.statement
+    assert (
+        "on a surface with the velocity u = -1:" in with_approach(monkeypatch, surface_velocity="-1").verdict.statement
+    )
     words = with_approach(monkeypatch, surface_velocity=None).verdict.statement
     assert "whose constant velocity is below u on the whole way, the G-spot included" in words
 

@@ -66,7 +66,8 @@ def test_notes_say_how_it_was_read() -> None:
     assert body().notes == ()
     assert body().symbols == sympy.symbols("q s q_dot s_dot")
     assert body(slip="negative").notes == (
-        "negative slip: mirrored, x counts in the opposite direction, so that u > 0 and lambda_T = -mu lambda_N",
+        "negative slip: mirrored, x counts in the opposite direction, so that u > 0 and lambda_T = -mu lambda_N; the "
+        "velocity of a surface counts as u does",
     )
     belt = lagrangian(
         "belt", ["q", "s"], [[1, 0], [0, 1]], [0, 0], None, "s", 1, slip_velocity="q_dot - 1", slip="negative",
