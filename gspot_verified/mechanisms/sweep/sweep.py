@@ -179,7 +179,8 @@ def _check_assumed_between(mechanism: Mechanism, axes: Sequence[Axis]) -> None:
         with working_bits(BITS):
             box = [hull([arb(axis.lower), arb(axis.upper)]) for axis in axes]
             found = BoxProgram(replaced([value], table), len(axes)).values(box)[0]
-        if not _HOLDS.get(word, lambda _: False)(found):
+        holds = _HOLDS.get(word)
+        if holds is None or not holds(found):
             over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in axes)
             raise MechanismError(
                 f"{mechanism.name}: sympy's symbol {name} is assumed {word}; its value may not be, for {over}"
