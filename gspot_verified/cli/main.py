@@ -77,7 +77,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if hasattr(error, "show"):
             error.show()
             return USAGE
+        from gspot_verified.work.executors import WorkerEndedError
+
         # Never 1, which would read as "refuted".
+        if isinstance(error, WorkerEndedError):
+            typer.echo(f"error: {error}; with fewer workers, and with a journal, the same command goes on", err=True)
+            return INTERNAL
         typer.echo(f"internal error, please report it: {type(error).__name__}: {error}", err=True)
         return INTERNAL
     return int(code) if isinstance(code, int) else 0

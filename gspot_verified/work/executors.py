@@ -25,6 +25,13 @@ _ADDRESS = re.compile(r"((tcp|tls|ucx|ws|wss)://)?(\[[0-9A-Fa-f:.%]+\]|[^\s:/\[\
 """Of a scheduler. Asked before Dask is: it answers to anything else after 40 seconds."""
 
 
+class WorkerEndedError(RuntimeError):
+    """A worker process was ended from outside, as where the memory is too small; what was kept stays."""
+
+    def __init__(self, more: str = "") -> None:
+        super().__init__(f"a worker process was ended from outside (killed, or out of memory){more}")
+
+
 class InProcessExecutor(Executor):
     """Runs each call at once, in this process. An interrupt is not caught."""
 
@@ -44,6 +51,7 @@ def executor(workers: int = 1, scheduler: str | None = None) -> Iterator[Executo
 
     :raises ValueError: the number of workers is not in 1..1024, it stands beside a scheduler, which has workers of its
         own, the scheduler is no address, or Dask (``distributed``) is not installed.
+    :raises WorkerEndedError: a process of the pool was ended from outside.
 
     >>> with executor() as pool:
     ...     pool.submit(max, 2, 3).result()
@@ -58,8 +66,11 @@ def executor(workers: int = 1, scheduler: str | None = None) -> Iterator[Executo
     elif workers == 1:
         yield InProcessExecutor()
     else:
-        with _pool(workers) as pool:
-            yield pool
+        try:
+            with _pool(workers) as pool:
+                yield pool
+        except BrokenExecutor:
+            raise WorkerEndedError from None
 
 
 def cores() -> int:
@@ -87,7 +98,7 @@ def as_they_end(pool: Executor, calls: Mapping[str, Callable[[], _Result]]) -> I
         try:
             result = future.result()
         except BrokenExecutor:
-            raise RuntimeError(f"a worker process was ended from outside; not done: {', '.join(left)}") from None
+            raise WorkerEndedError(f"; not done: {', '.join(left)}") from None
         except Exception as error:
             raise RuntimeError(f"{name}: {type(error).__name__}: {error}") from error
         left.remove(name)

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -184,6 +185,24 @@ def test_an_internal_error_is_never_an_outcome_nor_wrong_usage(
     assert code == 70
     assert output == ""
     assert f"internal error, please report it: {type(error).__name__}: {error}" in errors
+
+
+def test_a_worker_that_is_ended_from_outside_is_no_internal_error(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As where the memory is too small: nothing is to be reported. Two workers that end at their first cell."""
+    monkeypatch.setattr("gspot_verified.mechanisms.sweep.sweep.portions", lambda _: iter([_Killing()]))
+    code, output, errors = run(capsys, "sweep", "oscillator", "--over", "beta=2..4:4", "--workers", "2")
+    assert (code, output) == (70, "")
+    assert "error: a worker process was ended from outside (killed, or out of memory); with fewer workers" in errors
+    assert "report" not in errors
+
+
+class _Killing:
+    """A portion of cells that ends the process in which it is unpacked."""
+
+    def __reduce__(self) -> tuple[Callable[[int], None], tuple[int]]:
+        return os._exit, (1,)
 
 
 def test_a_stream_without_greek_letters() -> None:

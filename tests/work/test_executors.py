@@ -28,7 +28,7 @@ from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.sign import sign
 from gspot_verified.signs.zeros.zeros import ZerosResult, zeros_on_range
 from gspot_verified.work import executors
-from gspot_verified.work.executors import InProcessExecutor, as_they_end, executor, in_order
+from gspot_verified.work.executors import InProcessExecutor, WorkerEndedError, as_they_end, executor, in_order
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -124,8 +124,13 @@ def test_a_call_that_fails_is_named(workers: int) -> None:
 
 def test_a_worker_that_is_ended_from_outside_is_told() -> None:
     calls = {"killed": partial(os._exit, 1)}
-    with pytest.raises(RuntimeError, match="ended from outside; not done: killed"), executor(2) as pool:
+    with pytest.raises(WorkerEndedError, match=r"ended from outside \(.*\); not done: killed$"), executor(2) as pool:
         dict(as_they_end(pool, calls))
+    with (
+        pytest.raises(WorkerEndedError, match=r"ended from outside \(killed, or out of memory\)$"),
+        executor(2) as pool,
+    ):
+        list(in_order(pool, calls.values()))
 
 
 @pytest.mark.usefixtures("importable")
