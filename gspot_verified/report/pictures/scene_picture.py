@@ -4,7 +4,7 @@ coordinates where they are integrated, with the events, the canard and the scale
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from flint import arb, fmpq
@@ -330,8 +330,7 @@ def caption(scene: Scene, runs: Sequence[SceneRun], theory: Sequence[Curve], ove
     elif any(run.samples is not None for run in certified):
         parts.append("The points are certified, nothing between them.")
     for run in runs:
-        shown_events = [place.name for place in places(run, over)]
-        missing = [event.name for event in run.events if event.name not in shown_events]
+        missing = [event.name for event in run.events if not places(replace(run, events=(event,)), over)]
         if missing:
             parts.append(f"Not shown, because nothing is sampled there: {', '.join(missing)}.")
     if len(certified) < len(runs):

@@ -132,6 +132,17 @@ def test_the_caption_says_whether_points_or_boxes_are_certified() -> None:
     assert with_boxes(scene, boxes) is boxes
 
 
+def test_of_several_events_of_one_name_each_that_has_no_place_is_named() -> None:
+    """The model with two lift-offs: what is sampled ends at the first touch-down."""
+    scene = load_scene("fig-varsim1", epsilon="1/100", until="3/2")
+    run = certified_run(scene, points=5)
+    first, second = run.events[:2]
+    again = tuple(replace(event, lower=event.lower + 9, upper=event.upper + 9) for event in (first, second))
+    drawn = caption(scene, [replace(run, events=(first, second, *again))], [], "p")
+    assert "Not shown, because nothing is sampled there: lift-off, touch-down." in drawn
+    assert "Not shown" not in caption(scene, [replace(run, events=(first, second, *again))], [], "t")
+
+
 def test_over_time_where_p_turns() -> None:
     name = r"a name with $\\frac 1$, which is no formula"
     scene = replace(load_scene("fig-varsim2", epsilon="1/50", until=fmpq(1)), name=name)
