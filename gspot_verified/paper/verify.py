@@ -37,6 +37,7 @@ from gspot_verified.paper.section_2 import (
 from gspot_verified.paper.section_3 import (
     after_lift_off,
     flight_in_case_ii,
+    impact_to_lift_off,
     section_3,
     section_3_captions,
     section_3_sentences,
@@ -108,6 +109,7 @@ PARTS: dict[str, Builders] = {
     "Section 3, the flight in Case II": flight_in_case_ii.ENTRIES,
     "Section 3, after lift-off": after_lift_off.ENTRIES,
     "Section 3, the runs of the extended system": varsim2.ENTRIES,
+    "Section 3, from an impact to lift-off": impact_to_lift_off.ENTRIES,
     "Section 4, elimination and deviations": section_4_outer.ENTRIES,
     "Section 4, a reference": section_4_reference.ENTRIES,
     "Section 4.1, the distinguished trajectory": section_4_unique.ENTRIES,
@@ -148,6 +150,7 @@ LONGEST = (
     "6-second-start",
     "6-first-start",
     "3-case-II-starts",
+    "3-impact-to-lift-off",
     "3-impact-to-stick",
     "7-lift-off-again",
     "3-sides",

@@ -19,7 +19,7 @@ from gspot_verified.paper.verify import PARTS
 _CACHED = type(lru_cache(len))
 LONG = {
     *("after_lift_off", "section_3_sentences", "section_5_side", "section_6_runs", "section_6_theta", "section_7"),
-    *("table_1", "varsim1", "varsim2"),
+    *("impact_to_lift_off", "table_1", "varsim1", "varsim2"),
 }
 """Modules whose entries run a simulation for each change: one wrong formula an entry always, the others and the steps
 are slow tests."""
