@@ -13,6 +13,12 @@ from gspot_verified.paper.checks.entry import Entry, Rung, counts, rung_counts
 from gspot_verified.paper.verify import PARTS, exit_code
 
 _PROOFS = Path(__file__).resolve().parents[2] / "proofs"
+WHOLE_ON_EACH = {
+    *("2-restitution-not-fixed", "3-flight-persists", "S-iwc", "5-lemma-orders", "5-theorem-1-spaces"),
+    *("A-cancellation", "3-table-1-theory-b", "3-table-1-theory-v", "3-table-1-theory-y"),
+}
+"""Proved entries with checks on two or more settling rungs, read: the check on the strongest one covers all of the
+statement. A check that covers a part of it stands within the check of the whole, or supports it as points do."""
 
 
 @pytest.fixture(scope="module")
@@ -86,3 +92,9 @@ def test_no_proved_entry_rests_on_points_and_every_decided_one_on_something(entr
     for outcome, row in table.items():
         assert sum(row.values()) == counts(entries)[outcome]
     assert all(Rung.POINTS not in e.rests_on for e in entries if e.verdict.outcome is Outcome.PROVED)
+
+
+def test_the_strongest_rung_of_an_entry_carries_all_of_it(entries: list[Entry]) -> None:
+    """As far as a reader has seen: a new entry on two rungs must be read for it."""
+    proved = [entry for entry in entries if entry.verdict.outcome is Outcome.PROVED]
+    assert {entry.identifier for entry in proved if len(entry.rests_on) > 1} == WHOLE_ON_EACH

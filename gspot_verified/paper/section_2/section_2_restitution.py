@@ -198,10 +198,12 @@ def _consistent() -> Entry:
         "With k_1 = k_2 = 1/ε² and c = 1/ε an impact (constant p > 0, λ_N the only force, y = z = 0 at its start) has "
         "one coefficient of restitution, between 0 and 1, for every ε > 0 and every v < 0 at its start, and lasts ε "
         "times a number that does not depend on ε: as ε → 0 it is a jump of v",
-        Check(
-            Rung.EXACT,
-            "eqs. compliant1 to compliant3 in units of the impact: no ε is left, and no speed",
-            in_units(),
+        Page("restitution", COMMON).carries(
+            Check(
+                Rung.EXACT,
+                "eqs. compliant1 to compliant3 in units of the impact are eq. (1) of the page: no ε is left, no speed",
+                in_units(),
+            )
         ),
         Page("restitution", COMMON).carries(
             Check(

@@ -34,6 +34,8 @@ EXTENDED = {
     "z": "-z - (z - y)",
 }  # fmt: skip
 """xdot, udot, newex1 to newex5: the rates, that of z times ε; ε² λ_N = z - y."""
+MOTIVATING = {"p": "alpha1", "b": "alpha2 - alpha3*lam", "y": "v", "v": "b + p*lam", "z": "-z - (z - y)"}
+"""modelsys1 to modelsys5, as EXTENDED."""
 NORMAL = "pbyvz"
 TANGENTIAL = "xu"
 FORCE = "k2*(z - y)"
@@ -233,6 +235,15 @@ def fields_have(state: str) -> bool | None:
     return not all(lagrangian.ALGEBRA.read(fields[name]).derivative(state).is_zero() for name in names)
 
 
+def slip_is_the_motivating_example() -> bool | None:
+    """Whether the rates of p, b, y, v, z with c = 1 and χ = 0 are those of modelsys, ε² λ_N apart."""
+    slip = {"c": ALGEBRA.constant(1), "chi": ALGEBRA.constant(0)}
+    return all(
+        (ALGEBRA.substitute(ALGEBRA.read(EXTENDED[name]), slip) - ALGEBRA.read(MOTIVATING[name])).is_zero()
+        for name in NORMAL
+    )
+
+
 def _tangential() -> Entry:
     normal = [*(enters(name, NORMAL) for name in TANGENTIAL), enters("x", NORMAL + TANGENTIAL)]
     return settled(
@@ -244,8 +255,8 @@ def _tangential() -> Entry:
         "those of the motivating example, have no u either: they say nothing of a stop",
         Check(
             Rung.EXACT,
-            "eqs. xdot, udot, newex1 to newex5, derived by x and by u",
-            denied(one_of(normal)),
+            "eqs. xdot, udot, newex1 to newex5, derived by x and by u; with c = 1, χ = 0 eqs. modelsys1 to modelsys5",
+            all_of([denied(one_of(normal)), slip_is_the_motivating_example()]),
         ),
         Check(
             Rung.EXACT,

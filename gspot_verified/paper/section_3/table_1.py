@@ -19,6 +19,8 @@ from gspot_verified.paper.checks.identities import Algebra, in_greek
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.numerics.at_the_g_spot import crossing, deviations
 from gspot_verified.paper.numerics.scaling_exponents import (
+    NAMES,
+    exponent_error,
     limit_exponent,
     pair_error,
     regression_error,
@@ -290,6 +292,11 @@ def every_series_gives(name: str) -> bool | None:
     return all_of(answers)
 
 
+def leading_terms_are_not_0() -> bool | None:
+    """Whether Theorem E1 has its hypothesis, |N(0)| > η₀ D, in each row and at each β."""
+    return all_of(exponent_error(beta, name, TINY).is_finite() or None for beta in BETAS for name in NAMES)
+
+
 def _theoretical(name: str) -> Entry:
     formulas = {beta: formula(name, beta) for beta in BETAS}
     limits = {beta: limit_exponent(beta, name) for beta in BETAS}
@@ -300,10 +307,13 @@ def _theoretical(name: str) -> Entry:
         rf"\gamma\to {FORMULAS[name].replace('*', '')}",
         f"Table 1(b): the exponent of {SYMBOLS[name]} tends to {in_greek(FORMULAS[name]).replace('*', '')} as ε → 0, "
         f"for β = 1/2, 3/2, 5/2; its decimals are {', '.join(THEORETICAL[name].values())}",
-        Check(
-            Rung.EXACT,
-            "the powers of C, η and ε in the exact solution: those of the printed formula, rounded to the decimals",
-            all_of([formulas == limits, printed_are(limits, name)]),
+        Page("scaling_exponents", (leading_terms_are_not_0,)).carries(
+            Check(
+                Rung.EXACT,
+                "Theorem E1: the powers of C, η and ε in the exact solution are those of the printed formula, rounded "
+                "to the decimals",
+                all_of([formulas == limits, printed_are(limits, name)]),
+            )
         ),
         Check(
             Rung.BALLS,

@@ -145,7 +145,8 @@ def _rule() -> Entry:
         R.carries(
             Check(
                 Rung.EXACT,
-                "Theorem R: the event for each sign of C_1/Γ(-β) is the printed one, between each two integers",
+                "Theorem R: the event for each sign of C_1/Γ(-β) is the printed one, held against it at two β between "
+                "each two integers up to 9",
                 all_of(rule_is_the_printed_one(beta) for beta in RULE_BETAS),
             )
         ),

@@ -12,6 +12,7 @@ from gspot_verified.compliant.model.normal_form import compliant_model
 from gspot_verified.compliant.motion.compliant_force import force as compliant_force
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.checks.entry import Rung
 from gspot_verified.paper.numerics.paper_state import paper_state
 from gspot_verified.paper.section_3 import varsim2 as ledger
 from gspot_verified.paper.section_3.varsim2 import IMPACT, LIFT_OFF, STICK
@@ -203,12 +204,36 @@ def test_the_sentence_on_sticking_is_on_both_one_way_runs(monkeypatch: pytest.Mo
 
 
 def test_the_sentence_on_fast_slip_is_on_three_runs(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:
+    seen: list[Any] = []
+    monkeypatch.setattr(ledger, "floats_lift_off", lambda nu, slip: bool(seen.append((nu, slip)) or True))
     entry = ledger.ENTRIES["3-large-slip"]()
-    assert [check.agrees for check in entry.checks] == [True, True, True]
-    assert set(asked) == {(1, QUARTER), (1, FOUR, fmpq(200)), (1, FOUR, fmpq(1000))}
-    assert "ν = 1/4 with u(0) = 70, ν = 4 with u(0) = 200 and 1000" in entry.checks[0].what
+    assert [check.agrees for check in entry.checks] == [True, True]
+    assert [check.rung for check in entry.checks] == [Rung.BALLS, Rung.POINTS]
+    runs = [(QUARTER, fmpq(70)), (FOUR, fmpq(200)), (FOUR, fmpq(1000))]
+    assert set(asked) == {(1, nu, slip) for nu, slip in runs}
+    assert seen == runs
+    assert "ν = 1/4 with u(0) = 70, ν = 4 with u(0) = 200" in entry.checks[0].what
     monkeypatch.setattr(ledger, "run_of", lambda *run_: run((LIFT_OFF, 1 if run_[-1] != 1000 else 2)))
-    assert [check.agrees for check in ledger.ENTRIES["3-large-slip"]().checks] == [True, False, True]
+    assert [check.agrees for check in ledger.ENTRIES["3-large-slip"]().checks] == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("certified", "seen", "answer"),
+    [
+        ([(LIFT_OFF, 1)], [(LIFT_OFF, fmpq(100009, 10**5))], True),
+        ([(LIFT_OFF, 1)], [(LIFT_OFF, fmpq(10001, 10**4))], False),
+        ([(LIFT_OFF, 1)], [(STICK, 1)], False),
+        ([(LIFT_OFF, 1)], [(STICK, 1), (LIFT_OFF, 1)], False),
+        ([], [(LIFT_OFF, 1)], None),
+    ],
+)
+def test_a_float_run_of_fast_slip(monkeypatch: pytest.MonkeyPatch, certified: Any, seen: Any, answer: Any) -> None:
+    scenes: list[Any] = []
+    monkeypatch.setattr(ledger, "run_of", lambda *_: run(*certified))
+    monkeypatch.setattr(ledger, "load_scene", lambda _, **values: scenes.append(values))
+    monkeypatch.setattr(ledger, "float_run", lambda *_: run(*seen))
+    assert ledger.floats_lift_off(FOUR, fmpq(200)) is answer
+    assert scenes == [{"chi": 1, "nu": FOUR, "u": 200, "beta": fmpq(1, 2), "epsilon": fmpq(1, 1000)}]
 
 
 def test_the_caption_needs_the_drawn_events_too(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:

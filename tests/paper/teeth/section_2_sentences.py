@@ -27,12 +27,12 @@ TEETH: Teeth = {
         Bite("order", ledger, "FORCE", lambda honest: f"{honest}*(z - y)"),
     ),
     "2-tangential": (
-        NotApplicable("factor", _PRESENCE),
         Bite("hidden factor", ledger.EXTENDED, "b", unseen_at("u", (0, 1))),
         Bite("hypothesis", ledger.EXTENDED, "v", lambda honest: f"{honest} + x"),
         Bite("hypothesis", lagrangian.PRINTED["2-extended"], "F4", lambda honest: f"{honest} + x2"),
         Bite("hypothesis", lagrangian.PRINTED["2-extended"], "mu", lambda honest: f"{honest} + x1"),
-        NotApplicable("order", _PRESENCE),
+        Bite("order", ledger.MOTIVATING, "v", replaced("p*lam", "p^2*lam")),
+        Bite("factor", ledger.EXTENDED, "b", replaced("c*alpha3", "1000003/1000000*c*alpha3")),
     ),
     "2-p-linear": (
         Bite("factor", ledger.EXTENDED, "p", replaced("alpha1", "1000003/1000000*alpha1")),

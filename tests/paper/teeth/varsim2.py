@@ -56,7 +56,7 @@ TEETH: Teeth = {
     "3-large-slip": (
         Bite("factor", ledger, "LIFT_OFF", lambda _: ledger.STICK),
         Bite("hidden factor", ledger, "_NEAR", lambda _: fmpq(0)),
-        Bite("hypothesis", ledger, "FASTER", lambda _: (fmpq(70), fmpq(1000))),
+        Bite("hypothesis", ledger, "FAST", lambda honest: (*honest, (fmpq(4), fmpq(70)))),
         Bite("hypothesis", ledger.SLIP, "b", lambda honest: f"{honest} + u"),
         Bite("hypothesis", ledger.SLIP, "u", lambda honest: f"{honest} - u"),
         _NO_ORDER,
