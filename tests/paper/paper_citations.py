@@ -12,6 +12,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+import sys
 from collections.abc import Iterable
 from itertools import groupby
 from pathlib import Path
@@ -199,3 +200,10 @@ def _lines_of(part: Any) -> str:
     if isinstance(part, dict):
         return "{\n" + ",\n".join(f"  {line(key)}: {line(each)}" for key, each in part.items()) + "\n }"
     return "[\n" + ",\n".join(f"  {line(each)}" for each in part) + "\n ]" if isinstance(part, list) else line(part)
+
+
+if __name__ == "__main__":
+    from gspot_verified.paper.verify import verify_paper
+
+    _paper = Path(sys.argv[1]).read_text(encoding="utf-8")
+    DATA.write_text(text_of(source_data(_paper, [entry.label for entry in verify_paper()])), encoding="utf-8")

@@ -8,5 +8,5 @@ REFUTED = {
     *("1-stiffness", "1-poisson", "1-colours", "2-unilateral", "2-contact-part", "2-coupling", "3-trivial-shown"),
     *("3-caption-equations", "4-reference", "S-same-situation", "5-kinds", "5-brackets", "5-letters", "6-attribution"),
     *("6-positive-slip", "6-any-beta", "6-colours", "S-gamma-name"),
-    *("5-typesetting", "5-approaching-side", "5-manifold-names"),
+    *("1-scalars", "5-typesetting", "5-approaching-side", "5-manifold-names"),
 }

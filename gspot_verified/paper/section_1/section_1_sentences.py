@@ -33,6 +33,13 @@ IN_THE_CAPTION = {
     "Figure 4": Place("caption", r"thick dashed \((\w+) online\) line"),
 }
 """The colour of the distinguished trajectory."""
+SCALARS = "lines 144 to 152, 448 to 453"
+LISTED = Place("listed last", r"\$\\c(\w)\$ are scalars")
+LAST_OF = {
+    "eqs. udynamics and vdynamics": Place("last in eq. vdynamics", r"\\c(\w)\\left\( q,t\\right\)\."),
+    "the Lie derivatives of Sec. 2": Place("last of them", r"(\w)=\\mathsterling_\{G_N\} v"),
+}
+"""The last of the scalars, in the order of the alphabet."""
 MIRROR = {"a": "-a", "B": "-B", "lamT": "-lamT"}
 """The tangential direction reversed: u, x, a, B and λ_T change their signs."""
 PROJECTED = {"u": "a + lamT*A + lam*B", "v": "b + lamT*B + lam*C"}
@@ -134,6 +141,19 @@ def _colours() -> Entry:
         ),
         corrected="The dashed line is green, if the captions are right",
         note="The figures decide; text and captions cannot both be right.",
+    )
+
+
+def _scalars() -> Entry:
+    return settled(
+        SECTION,
+        "1-scalars",
+        SCALARS,
+        r"a,\ b,\ A,\ B,\ C,\ D\ \text{are scalars}",
+        "The scalars that are listed below eq. vdynamics end with the last one of the equations",
+        *(held_against(SCALARS, f"the list and {where}", LISTED, last) for where, last in LAST_OF.items()),
+        corrected="a, b, A, B, C are scalars",
+        note="No formula of the paper has this D.",
     )
 
 
@@ -306,6 +326,7 @@ ENTRIES: Builders = {
     "1-stiffness": _stiffness,
     "1-poisson": _poisson,
     "1-colours": _colours,
+    "1-scalars": _scalars,
     "1-impact-slope": _slope,
     "1-impact-ends": _ends,
 }

@@ -231,3 +231,10 @@ def test_the_places_are_those_of_the_paper(document: Document) -> None:
     found = [(item.first, item.last, name_of(item)) for item in document.numbered if item.number is not None]
     assert paper._places() == found
     assert paper.paper_hash() == hashlib.sha256(PAPER.read_bytes()).hexdigest()
+
+
+@pytest.mark.parametrize("name", ["paper_citations", "sentences"])
+def test_a_file_that_says_how_to_run_it_does_something_when_it_is_run(name: str) -> None:
+    text = (ROOT / "tests" / "paper" / f"{name}.py").read_text(encoding="utf-8")
+    assert f"python -m paper.{name}" in text
+    assert '\nif __name__ == "__main__":\n' in text

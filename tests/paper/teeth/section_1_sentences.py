@@ -41,6 +41,12 @@ TEETH: Teeth = {
         Bite("hypothesis", words, "quoted", reads_as("red", "green")),
         NotApplicable("order", _WORDS),
     ),
+    "1-scalars": (
+        NotApplicable("factor", _WORDS),
+        NotApplicable("hidden factor", _WORDS),
+        Bite("hypothesis", words, "quoted", reads_as(r"$\cD$", r"$\cC$")),
+        NotApplicable("order", _WORDS),
+    ),
     "1-impact-slope": (
         Bite("factor", ledger.SLOPE, "u", replaced("mu*A", f"{GENERIC}*mu*A")),
         Bite("hidden factor", ledger.SLOPE, "v", unseen_at("p", (-1, 1))),
