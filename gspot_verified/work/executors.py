@@ -23,13 +23,11 @@ _MAX_WORKERS = 1_024  # a limit of input: ValueError beyond it
 _IN_FLIGHT = 256  # calls that are given out and not yet taken back: more than the workers of one machine
 _ADDRESS = re.compile(r"((tcp|tls|ucx|ws|wss)://)?(\[[0-9A-Fa-f:.%]+\]|[^\s:/\[\]]+):[0-9]{1,5}/?|inproc://\S+")
 """Of a scheduler. Asked before Dask is: it answers to anything else after 40 seconds."""
+_ENDED = "a worker process was ended from outside (killed, or out of memory)"
 
 
 class WorkerEndedError(RuntimeError):
     """A worker process was ended from outside, as where the memory is too small; what was kept stays."""
-
-    def __init__(self, more: str = "") -> None:
-        super().__init__(f"a worker process was ended from outside (killed, or out of memory){more}")
 
 
 class InProcessExecutor(Executor):
@@ -70,7 +68,7 @@ def executor(workers: int = 1, scheduler: str | None = None) -> Iterator[Executo
             with _pool(workers) as pool:
                 yield pool
         except BrokenExecutor:
-            raise WorkerEndedError from None
+            raise WorkerEndedError(_ENDED) from None
 
 
 def cores() -> int:
@@ -98,7 +96,7 @@ def as_they_end(pool: Executor, calls: Mapping[str, Callable[[], _Result]]) -> I
         try:
             result = future.result()
         except BrokenExecutor:
-            raise WorkerEndedError(f"; not done: {', '.join(left)}") from None
+            raise WorkerEndedError(f"{_ENDED}; not done: {', '.join(left)}") from None
         except Exception as error:
             raise RuntimeError(f"{name}: {type(error).__name__}: {error}") from error
         left.remove(name)

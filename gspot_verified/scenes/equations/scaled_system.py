@@ -53,10 +53,6 @@ class ScaledSystem:
         """T."""
         return Variable(len(self.states))
 
-    def states_as_variables(self) -> list[Variable]:
-        """What stands for each state in the expressions."""
-        return [Variable(i) for i in range(len(self.states))]
-
     def jacobian(self) -> list[list[Expression]]:
         """The derivatives of the right-hand side by the states, exactly."""
         size = len(self.states) + 1

@@ -70,19 +70,6 @@ def parameter_series(centre: fmpq, radius: fmpq, degree: int, length: int, bits:
     return ParameterSeries(centre, radius, degree, length, bits, matrix, (first, second, third))
 
 
-def shortened(series: ParameterSeries, length: int, bits: int) -> ParameterSeries:
-    """The same series with fewer coefficients in tau, for smaller |tau|, to be used at the precision ``bits``.
-
-    :raises ValueError: there are not three more coefficients than ``length``.
-    """
-    if not 3 <= length <= series.length - 3:
-        raise ValueError("length must be at least 3 and leave three coefficients")
-    width = series.degree + 2
-    first, second, third = (series.matrix[length + j, series.degree] for j in range(3))
-    matrix = arb_mat(length, width, series.matrix.entries()[: length * width])
-    return series._replace(length=length, bits=bits, matrix=matrix, omitted=(first, second, third))
-
-
 def initial_models(
     centre: fmpq, radius: fmpq, degree: int, bits: int
 ) -> tuple[ParameterModel, ParameterModel, ParameterModel]:

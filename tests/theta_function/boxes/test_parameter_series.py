@@ -14,7 +14,7 @@ from itertools import product
 import mpmath
 import pytest
 from flint import arb, fmpq
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mpc, mpf
 from samples.strategies import ends, holds, to_fmpq, to_fraction
@@ -25,7 +25,6 @@ from gspot_verified.theta_function.boxes.parameter_series import (
     initial_models,
     parameter_series,
     reciprocal_gamma_bound,
-    shortened,
 )
 from gspot_verified.theta_function.value.integer import polynomial
 
@@ -252,29 +251,6 @@ def test_two_centres_agree_where_they_overlap(centre: Fraction, shift: int, at: 
                 assert value.is_finite()
                 found.append(value + arb(0, error))
             assert found[0].overlaps(found[1])
-
-
-@settings(max_examples=20)
-@given(_CENTRES, _RADII, st.integers(3, 12), st.integers(3, 12))
-def test_shortened_is_the_beginning(centre: Fraction, radius: Fraction, length: int, more: int) -> None:
-    whole = parameter_series(to_fmpq(centre), to_fmpq(radius), 4, length + more, 100)
-    short = shortened(whole, length, 64)
-    same = parameter_series(to_fmpq(centre), to_fmpq(radius), 4, length, 100)
-    assert (short.length, short.bits, short.degree, short.centre, short.radius) == (
-        length, 64, 4, to_fmpq(centre), to_fmpq(radius),
-    )  # fmt: skip
-    assert (short.matrix.nrows(), short.matrix.ncols()) == (length, 6)
-    for k, j in product(range(length), range(6)):
-        assert ends(short.matrix[k, j]) == ends(same.matrix[k, j])
-    assert [ends(value) for value in short.omitted] == [ends(value) for value in same.omitted]
-
-
-@pytest.mark.parametrize("length", [-1, 0, 2, 8, 10, 99])
-def test_shortened_refuses_a_length_that_leaves_less_than_three(length: int) -> None:
-    whole = parameter_series(fmpq(1, 2), fmpq(1, 2), 4, 10, 64)
-    with pytest.raises(ValueError, match="length"):
-        shortened(whole, length, 64)
-    assert shortened(whole, 7, 64).length == 7
 
 
 @pytest.mark.parametrize(
