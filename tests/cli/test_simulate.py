@@ -325,6 +325,20 @@ def test_a_mechanism_starts_before_its_g_spot(capsys: pytest.CaptureFixture[str]
     assert "slip before falling rod of" in json.loads(capsys.readouterr().out)["scene"]["name"]
 
 
+def test_what_was_set_is_in_the_text(capsys: pytest.CaptureFixture[str]) -> None:
+    """Parameters of the mechanism with the name, those of the model and of effects in a line of their own."""
+    words = ["simulate", "rod", "--float", "--eps", "1/10", "--until", "1/100", "--set", "mu=3/2"]
+    assert main([*words, "--add-effect", "belt", "--set", "belt_velocity=-1/2"]) == 2
+    output = capsys.readouterr().out
+    assert "\n  rod, mu = 3/2, ε = 1/10, from theta" in output
+    assert "\n  with k_1 = 1, k_2 = 1, damping = 1, belt_velocity = -1/2\n" in output
+    assert main([*words, "--json"]) == 2
+    assert json.loads(capsys.readouterr().out)["scene"]["name"] == "rod, mu = 3/2"
+    assert main(["simulate", "fig-varsim1", "--float", "--eps", "1/10", "--until", "1/10", "--beta", "5/2"]) == 2
+    output = capsys.readouterr().out
+    assert "\n  with k_1 = 1, k_2 = 1, damping = 1, alpha_1 = -1, alpha_2 = -1, beta = 5/2\n" in output
+
+
 def test_it_is_said_which_way_u_and_a_belt_count(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     """The falling rod to the left: as the mirrored mechanism slips forwards, a belt moves against the x of the file."""
     text = shipped_text("falling rod").replace('"X + l*cos(theta)"\n', '"X - l*cos(theta)"\nslip = "negative"\n')

@@ -363,6 +363,7 @@ def _show(scene: Scene, runs: list[SceneRun]) -> None:
         typer.echo(str(run))
     start = ", ".join(f"{name} = {_number(scene, value)}" for name, value in _start(scene).items())
     typer.echo(f"  {scene.name}, ε = {scene.epsilon}, from {start}")
+    typer.echo("  with " + ", ".join(f"{name} = {value}" for name, value in scene.values().items()))
     for said in (scene.slow_start, fast_part(scene), cost_text(scene)):
         if said is not None:
             typer.echo(f"  {said}")

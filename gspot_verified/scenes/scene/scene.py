@@ -300,7 +300,7 @@ class Scene(Shown):
         wanted = (*(name for name in self.effects if name not in drop), *add)
         _check_effects(wanted, self.mechanism is not None)
         used = _in_order(wanted)
-        return self._with(wanted, _defaults(used, self._motion_with(used)), settings)
+        return self._named(self._with(wanted, _defaults(used, self._motion_with(used)), settings), settings)
 
     def with_settings(self, **settings: ExactInput | None) -> Scene:
         """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``epsilon`` (``eps`` is
@@ -309,7 +309,9 @@ class Scene(Shown):
 
         :raises SceneError: there is no such setting.
         """
-        changed = self._with(self.effects, self.defaults(), settings)
+        return self._named(self._with(self.effects, self.defaults(), settings), settings)
+
+    def _named(self, changed: Scene, settings: Mapping[str, ExactInput | None]) -> Scene:
         if self.mechanism is None or changed.mechanism is None:
             return changed
         before, after = dict(self.mechanism.parameters), dict(changed.mechanism.parameters)
