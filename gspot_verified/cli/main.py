@@ -20,6 +20,7 @@ from gspot_verified.cli.app import app, signs_of_life
 from gspot_verified.cli.command_groups import GROUPS
 from gspot_verified.cli.isolation import isolate
 from gspot_verified.cli.output import NOT_WRITTEN
+from gspot_verified.cli.plain_values import take_plain_values
 from gspot_verified.cli.progress_line import line_at_terminal
 from gspot_verified.work.interrupt import INTERRUPTED, was_interrupted
 
@@ -54,6 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with line_at_terminal(), signs_of_life():
             load_commands(words)
             command = typer.main.get_command(app)
+            take_plain_values(command)
             code = command(prog_name="gspot-verified", args=words, standalone_mode=False)
         if code == INTERRUPTED:  # some releases of typer end with this code, others raise
             raise KeyboardInterrupt

@@ -8,10 +8,8 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 from itertools import pairwise
-from multiprocessing import get_context
 from typing import Any, NamedTuple
 
 from limits import Limits, Meter, Rejected, require
@@ -48,6 +46,10 @@ class Checker:
     def on_each_column(self, rule: Callable[..., None], *arguments: Any) -> None:
         """The rule holds on each column. The answer is the same for any number of workers: they begin afresh."""
         if self.workers > 1:
+            # Imported where it is used: from its text, that takes longer than a short check.
+            from concurrent.futures import ProcessPoolExecutor
+            from multiprocessing import get_context
+
             tasks = [Task(rule, arguments, column, self.limits, self.left) for column in self.columns]
             # A worker looks for compiled files where this process does: nowhere, if it was told so (check.md).
             first = f"import sys; sys.dont_write_bytecode, sys.pycache_prefix = True, {sys.pycache_prefix!r}"

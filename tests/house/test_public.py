@@ -72,7 +72,7 @@ def test_help_loads_no_arithmetic() -> None:
     assert in_a_fresh_process(script).endswith("\nFalse\n")
 
 
-HEAVY = {"rich", "numpy", "scipy", "sympy", "mpmath", "matplotlib", "jinja2", "asyncio", "multiprocessing"}
+HEAVY = {"rich", "pydantic", "numpy", "scipy", "sympy", "mpmath", "matplotlib", "jinja2", "asyncio", "multiprocessing"}
 
 
 @pytest.mark.parametrize(
@@ -83,6 +83,8 @@ HEAVY = {"rich", "numpy", "scipy", "sympy", "mpmath", "matplotlib", "jinja2", "a
         (("sign", "--tau", "1", "--beta", "1/2"), set()),
         (("check", str(PROOFS / "iwc_0_1.cert")), {"flint"}),
         (("classify", "rod"), set()),
+        (("scenes",), set()),
+        (("plot", "--help"), {"flint"}),
     ],
 )  # fmt: skip
 def test_a_short_command_loads_what_it_uses(command: tuple[str, ...], further: set[str]) -> None:
