@@ -73,7 +73,7 @@ class Parameter:
     multiple = False
     nargs = 1
 
-    class type_descriptor:  # noqa: N801  as typer calls it
+    class type_descriptor:
         annotation = int
 
     def get_runtime_param(self) -> Any:

@@ -96,6 +96,20 @@ def test_a_short_command_loads_what_it_uses(command: tuple[str, ...], further: s
     assert own == {COMMANDS[command[0]]}
 
 
+@pytest.mark.parametrize(
+    ("command", "loaded"),
+    [
+        (("approach", "rod", "--from", "X=0,X_dot=2,theta=theta_ref-1/20,theta_dot=1/2"), {"numpy"}),
+        (("iwc", "--beta", "3/2", "--epsilon", "1/100"), set()),
+        (("expand", "model", "--order", "5"), set()),
+        (("simulate", "fig-varsim1"), {"numpy"}),
+    ],
+)
+def test_a_longer_command_loads_no_library_that_it_does_not_use(command: tuple[str, ...], loaded: set[str]) -> None:
+    script = f"import sys; from gspot_verified.cli import main; main({command!r}); print(*sys.modules)"
+    assert HEAVY & set(in_a_fresh_process(script).splitlines()[-1].split()) == loaded
+
+
 def test_each_command_is_where_it_is_sought() -> None:
     load_commands()
     found = {name_of(info.callback): info.callback.__module__ for info in app.registered_commands if info.callback}

@@ -9,7 +9,9 @@ import pytest
 from flint import fmpq
 
 from gspot_verified.compliant.side.side_rule import side_rule
+from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.approach.fast_decay import surviving_exponent
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.scenes.certified_run import exact_start
 from gspot_verified.scenes.floats.fast_part import fast_part
@@ -26,6 +28,16 @@ def test_it_is_what_approach_says() -> None:
     assert expected.time is not None
     assert found.time == pytest.approx(float(expected.time.mid()), rel=1e-3)
     assert found.factor == pytest.approx(math.exp(-1000 * found.exponent))
+
+
+def test_the_path_on_which_p_falls_evenly() -> None:
+    """p = 1/2 - t; the rule for given times knows it from many points."""
+    found = fast_part(load_scene("fig-varsim1"))
+    assert found is not None
+    times = [k / 4000 for k in range(2001)]
+    expected = surviving_exponent(times, [0.5 - t for t in times], PAPER)
+    assert found.exponent == pytest.approx(expected, rel=1e-6)
+    assert found.time == pytest.approx(0.5 * (1 - 1e-4), rel=1e-4)
 
 
 def test_the_exact_fast_coefficient_falls_like_it() -> None:
