@@ -16,10 +16,13 @@ from hypothesis import strategies as st
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep import sweep_result
 from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.sweep.sweep_cell import BOXES, BOXES_BEYOND
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
-from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, Kind, Passing, SweepPiece
+from gspot_verified.mechanisms.sweep.sweep_piece import ENDED, NUMBERS, Kind, Passing, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep, ZeroOnLine
+from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import Box, cover_by_boxes
+from gspot_verified.numbers.packed import PackedIntervals
 from gspot_verified.numbers.verdict import Evidence, Outcome, Reason
 from gspot_verified.signs.gamma.side import side_text
 
@@ -156,6 +159,33 @@ def test_what_is_left_says_how_to_go_on() -> None:
         verdict.detail == "2 of 2 pieces are left; the budget of one divided piece ended: a larger one may settle them"
     )
     assert verdict.reason is Reason.BUDGET
+
+
+def test_a_result_whose_verdict_was_asked_for_is_the_same() -> None:
+    asked, other = (line(piece(10, 12, Kind.SETTLED)) for _ in range(2))
+    assert asked.verdict.outcome is Outcome.PROVED
+    assert asked == other
+
+
+def test_a_slip_velocity_is_wrong_or_not_known() -> None:
+    """Of six pieces u > 0 on one, u < 0 on one, u = 0 on one, and it is not known on the others."""
+    velocities = (Dyadic(1, 2), Dyadic(-2, -1), Dyadic(0, 0), Dyadic(-1, 2), Dyadic(0, 1), None)
+    packed = [PackedIntervals([None] * (len(NUMBERS) - 1) + [velocity]) for velocity in velocities]
+    parts = (replace(piece(10 + k, 11 + k, Kind.SETTLED), numbers=each) for k, each in enumerate(packed))
+    found = line(*parts, upper=16)
+    (warning,) = found.warnings
+    assert "on 2 pieces, perhaps on 3 more" in warning
+
+
+def test_the_boxes_of_a_cell_and_the_budget_may_end_both() -> None:
+    """Each reason is said once, apart from the other."""
+    ended = SweepPiece((fmpq(10),), (fmpq(11),), Kind.NO_TUBE, unsure=(ENDED,))
+    whole = line(ended, piece(11, 12, Kind.SETTLED))
+    boxes = f"{ENDED}, {BOXES} and {BOXES_BEYOND} divided beyond them; more cells may settle it: k=10..12:2"
+    assert (whole.verdict.detail, whole.verdict.reason) == (f"1 of 2 pieces is left; {boxes}", Reason.BUDGET)
+    budget = "the budget of 3 divided pieces ended: a larger one may settle it"
+    both = Sweep(whole.name, whole.axes, whole.start, {}, whole.pieces, budget=3).verdict
+    assert (both.detail, both.reason) == (f"1 of 2 pieces is left; {budget}; {boxes}", Reason.BUDGET)
 
 
 def test_where_a_spot_may_end_at_a_fold_more_cells_are_not_advised() -> None:
