@@ -78,9 +78,9 @@ def one_turn(signs: Sequence[int | None], before: int) -> bool | None:
 
 
 def turns(boxes: Sequence[Box]) -> dict[str, tuple[bool | None, arb]]:
-    """By name: whether the rate has its one turn in these boxes, and a ball around the time of it."""
+    """By name: whether the rate has its one turn in these boxes, and a ball around the time of it; {} for no boxes."""
     found = {}
-    for name, (before, rate) in RATES.items():
+    for name, (before, rate) in RATES.items() if boxes else ():
         signs = [sign_of(rate(at)) for at in boxes]
         last = max((k for k, sign in enumerate(signs) if sign == before), default=0)
         first = min((k for k, sign in enumerate(signs) if sign == -before), default=len(signs) - 1)
@@ -88,34 +88,38 @@ def turns(boxes: Sequence[Box]) -> dict[str, tuple[bool | None, arb]]:
     return found
 
 
-def from_the_spot(boxes: Sequence[Box]) -> int | None:
-    """The first box in which p < 0."""
-    return next((k for k, at in enumerate(boxes) if sign_of(at["p"]) == -1), None)
+def beyond_the_spot(boxes: Sequence[Box]) -> Sequence[Box]:
+    """The boxes from the first one on in which p < 0."""
+    return boxes[next((k for k, at in enumerate(boxes) if sign_of(at["p"]) == -1), len(boxes)) :]
 
 
 def as_claimed(boxes: Sequence[Box], lost: fmpq) -> bool | None:
     """Whether the boxes of slip show how the impact begins at the G-spot and how it ends."""
-    after = from_the_spot(boxes)
-    if after is None:
+    beyond = beyond_the_spot(boxes)
+    if not beyond:
         return None
     with working_bits(_BITS):
-        spot = [*(at for at in boxes[:after] if sign_of(at["p"]) is None), boxes[after]]
+        spot = [*(at for at in boxes[: -len(beyond)] if sign_of(at["p"]) is None), beyond[0]]
         answers = [certainly_less(arb(low), at[name]) for at in spot for name, (low, _) in AT_SPOT.items()]
         answers += [certainly_less(at[name], arb(high)) for at in spot for name, (_, high) in AT_SPOT.items()]
         below = {certainly_less(at["lambda_N"], arb(PEAK)) for at in boxes}
         answers.append(True if False in below else None if None in below else False)
         answers += [certainly_less(boxes[0]["u"] - lost, boxes[-1]["u"]), certainly_less(arb(0), boxes[-1]["u"])]
-        found = list(turns(boxes[after:]).values())
+        found = list(turns(beyond).values())
         answers += [answer for answer, _ in found]
         answers += [certainly_less(time, later) for (_, time), (_, later) in pairwise(found)]
         return all_of(answers)
 
 
+def boxes_of(nu: fmpq) -> list[Box]:
+    """The boxes of slip of the certified run; none where it has no boxes."""
+    samples = run_of(nu).samples
+    return [] if samples is None or samples.boxes is None else slip_boxes(samples.boxes)
+
+
 def is_shown(nu: fmpq) -> bool | None:
     """Whether the certified run lifts off as its only event, and its boxes are as claimed."""
-    run = run_of(nu)
-    boxes = [] if run.samples is None or run.samples.boxes is None else slip_boxes(run.samples.boxes)
-    return all_of([happens(run, (LIFT_OFF,)), as_claimed(boxes, LOST[nu][1])])
+    return all_of([happens(run_of(nu), (LIFT_OFF,)), as_claimed(boxes_of(nu), LOST[nu][1])])
 
 
 def extremes(samples: Samples) -> dict[str, fmpq]:
@@ -136,15 +140,10 @@ def as_sampled(samples: Samples, lost: fmpq) -> bool:
 
 def floats_agree(nu: fmpq) -> bool | None:
     """Whether a float run lifts off alone, and has its extremes within FLOAT_NEAR of the certified turns."""
-    run, certified = float_run(scene_of(nu), *_FLOATS), run_of(nu).samples
-    if run.samples is None or certified is None or certified.boxes is None:
-        return None
-    boxes = slip_boxes(certified.boxes)
-    after = from_the_spot(boxes)
-    if after is None:
+    run, found = float_run(scene_of(nu), *_FLOATS), turns(beyond_the_spot(boxes_of(nu)))
+    if run.samples is None or not found:
         return None
     seen = extremes(run.samples)
-    found = turns(boxes[after:])
     with working_bits(_BITS):
         near = [certainly_less(abs(found[name][1] - arb(seen[name])), arb(FLOAT_NEAR)) for name in found]
     alone = [event.name for event in run.events] == [LIFT_OFF]
@@ -152,14 +151,13 @@ def floats_agree(nu: fmpq) -> bool | None:
 
 
 def _told(nu: fmpq) -> str:
-    boxes = run_of(nu).samples
-    rows = [] if boxes is None or boxes.boxes is None else slip_boxes(boxes.boxes)
-    after = from_the_spot(rows)
-    if after is None:
-        return f"ν = {nu}: p does not get below 0"
+    boxes = boxes_of(nu)
     with working_bits(_BITS):
-        times = ", ".join(f"{_WORDS[name]} {approximate(time):.5g}" for name, (_, time) in turns(rows[after:]).items())
-        return f"ν = {nu}: turns at t = {times}; lift-off with u = {ball_text(rows[-1]['u'], 8)}"
+        found = turns(beyond_the_spot(boxes)).items()
+        times = ", ".join(f"{_WORDS[name]} {approximate(time):.5g}" for name, (_, time) in found)
+        return (
+            f"ν = {nu}: turns at t = {times}; lift-off with u = {', '.join(ball_text(at['u'], 8) for at in boxes[-1:])}"
+        )
 
 
 def _impact_to_lift_off() -> Entry:

@@ -73,11 +73,37 @@ def test_a_motion_that_does_not_pass_the_spot_shows_nothing() -> None:
     assert ledger.as_claimed([], LOST) is None
 
 
-def test_a_stop_before_lift_off_is_refused() -> None:
+@pytest.mark.parametrize(("slower", "answer"), [(60, False), (46, False), (45.5, True)])
+def test_a_stop_before_lift_off_is_refused(slower: float, answer: bool) -> None:
     boxes = motion()
     for at in boxes:
-        at["u"] -= 60
-    assert ledger.as_claimed(boxes, LOST) is False
+        at["u"] -= slower
+    assert ledger.as_claimed(boxes, LOST) is answer
+
+
+def test_a_run_without_boxes_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    verdict = SimpleNamespace(outcome=Outcome.PROVED)
+    run = SimpleNamespace(events=[SimpleNamespace(name=ledger.LIFT_OFF)], verdict=verdict, samples=None)
+    monkeypatch.setattr(ledger, "run_of", lambda _: run)
+    monkeypatch.setattr(ledger, "float_run", lambda *_: run)
+    for none in (None, SimpleNamespace(boxes=None)):
+        run.samples = none
+        assert ledger.boxes_of(QUARTER) == []
+        assert ledger.is_shown(QUARTER) is None
+        assert ledger.floats_agree(QUARTER) is None
+        assert ledger._told(QUARTER) == "ν = 1/4: turns at t = ; lift-off with u = "
+
+
+def test_near_is_two_steps_of_the_float_samples() -> None:
+    assert 2 * ledger.scene_of(QUARTER).until / (ledger._FLOATS[2] - 1) == ledger.FLOAT_NEAR
+
+
+def test_where_no_sign_is_certain_the_turn_can_be_anywhere() -> None:
+    boxes = [box(t=t, p=-1, b=arb(1, 1), v=0, lambda_N=1, z=0) for t in (1, 2, 4)]
+    answer, time = ledger.turns(boxes)["p"]
+    assert answer is None
+    assert time.contains(1)
+    assert time.contains(4)
 
 
 @pytest.mark.parametrize(
