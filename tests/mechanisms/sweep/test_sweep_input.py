@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 from flint import fmpq
 
-from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.mechanisms.input.mechanism import MechanismError
+from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_text
 from gspot_verified.mechanisms.sweep import sweep as module
 from gspot_verified.mechanisms.sweep import sweep_grid
 from gspot_verified.mechanisms.sweep.sweep import sweep
@@ -68,3 +71,29 @@ def test_one_digit_is_enough_and_folds_belong_to_one_axis(monkeypatch: pytest.Mo
     assert asked == [1]
     sweep(ROD, {"mu": "1.4..2:1", "m": "1..2:1"})
     assert asked == [1]
+
+
+@pytest.mark.parametrize(
+    ("word", "value"),
+    [
+        ("positive", "(beta - 3)^2 - 1"),
+        ("nonnegative", "(beta - 3)^2 - 1"),
+        ("negative", "1 - (beta - 3)^2"),
+        ("nonpositive", "1 - (beta - 3)^2"),
+        ("nonzero", "(beta - 3)^2 - 1/4"),
+        ("integer", "2*beta"),
+    ],
+)
+def test_what_formulas_assume_of_a_parameter_that_follows_holds_between_the_ends(word: str, value: str) -> None:
+    """At 1, 3/2 and 5, where the mechanism is asked, it holds; in the middle it does not. From 9/2 on the signs do."""
+    text = shipped_text("frictional impact oscillator").replace("kappa = 0", f'kappa = "{value}"')
+    text = text.replace('beta = "7/3"', "beta = 5")
+    mechanism = replace(parse_mechanism(text), assumed=(("kappa", word), ("mu", "positive")))
+    said = rf"symbol kappa is assumed {word}; its value may not be, for beta in \[1, 5\]"
+    with pytest.raises(MechanismError, match=said):
+        module._axes(mechanism, {"beta": "1..5"})
+    with pytest.raises(MechanismError, match=said + r", k_phi in \[1, 2\]"):
+        module._axes(mechanism, {"beta": "1..5", "k_phi": "1..2"})
+    if word != "integer":
+        assert [axis.lower for axis in module._axes(mechanism, {"beta": "9/2..5"})] == [fmpq(9, 2)]
+    assert len(module._axes(mechanism, {"k_phi": "1..2"})) == 1
