@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
@@ -18,7 +19,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.load import load
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators import comparison
-from gspot_verified.scenes.simulators.comparison import simulators
+from gspot_verified.scenes.simulators.comparison import SimulatorComparison, simulators
 from gspot_verified.scenes.simulators.contact_floats import contact_floats
 from gspot_verified.scenes.simulators.planar_model import PlanarModel
 from gspot_verified.scenes.simulators.programs import Installed, Program
@@ -234,3 +235,13 @@ def test_a_program_that_is_installed_is_run(monkeypatch: pytest.MonkeyPatch) -> 
     assert simulators(ROD, START, epsilons=[], steps=[1e-2], programs=["P"]).notes == ("P: not run: no bodies",)
     without = simulators(ROD, START, epsilons=[], steps=[])
     assert (without.runs, without.notes) == ((), ())
+
+
+def test_the_text_names_the_surface_and_says_how_the_mechanism_was_read() -> None:
+    """Of the certified answer: a surface at rest needs no word, nor has one that is not known a velocity."""
+    slip = replace(certified(*START.items()), notes=("which way u counts",))
+    for velocity, said in (("-12/5", True), ("0", False), (None, False)):
+        shown = str(SimulatorComparison(replace(slip, surface_velocity=velocity), (), ("MuJoCo: not run",)))
+        assert (f"\n  on a surface with the velocity u = {velocity}\n  after the time t = " in shown) == said
+        assert ("on a surface with" in shown) == said
+        assert shown.endswith("\n  which way u counts\n  MuJoCo: not run")
