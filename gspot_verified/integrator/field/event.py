@@ -98,6 +98,9 @@ class Unclear:
     time: arb
 
 
+_SMALL_PART = arb((1, -20))  # of an enclosure's radius: by so much a bracket may be wider than it must
+
+
 @dataclass(frozen=True, slots=True)
 class _Piece:
     segment: ProvedSegment
@@ -231,17 +234,36 @@ class Watch:
         return Crossing(self.name, begin, end, states, rate, evidence)
 
     def _last(self, piece: _Piece, left: arb, right: arb, sign: int) -> arb:
-        """By bisection: the last point where g < 0 is certain (sign -1), or the first one where g > 0 is."""
-        for _ in range(current_bits()):
-            middle = (left + right) / 2
-            if not middle.is_exact():  # as fine as τ can be told apart
+        """The last point where g < 0 is certain (sign -1), or the first one where g > 0 is, but for a small part.
+
+        By secants, where a side that stays counts half; by halves where they give no point between.
+        """
+        near, far = (left, right) if sign < 0 else (right, left)
+        at_near, at_far = (self._certain(piece, place, sign)[0] for place in (near, far))
+        before = 0
+        for _ in range(2 * current_bits()):
+            share = at_near / (at_near - at_far) if at_near > 0 and at_far < 0 else arb(1) / 2
+            places = [(near + (far - near) * part).mid() for part in (share, arb(1) / 2)]
+            middle = next((place for place in places if near < place < far or far < place < near), None)
+            if middle is None:  # as fine as τ can be told apart
                 break
-            certain = self.value(piece.segment.states(middle)) * sign > 0
-            if sign < 0:
-                left, right = (middle, right) if certain else (left, middle)
+            here, small = self._certain(piece, middle, sign)
+            if here > -small:
+                near, at_near, at_far = middle, here, at_far / (2 if before > 0 else 1)
+                before = 1
+                if here < small:
+                    break
             else:
-                left, right = (left, middle) if certain else (middle, right)
-        return left if sign < 0 else right
+                far, at_far, at_near = middle, here, at_near / (2 if before < 0 else 1)
+                before = -1
+        return near
+
+    def _certain(self, piece: _Piece, tau: arb, sign: int) -> tuple[arb, arb]:
+        """By how much sign g is above a small part of its enclosure's radius, and that part: the sign is certain where
+        the sum of both is positive."""
+        value = self.value(piece.segment.states(tau)) * sign
+        small = value.rad() * _SMALL_PART
+        return (value.lower() - small).mid(), small
 
 
 def first_crossing(

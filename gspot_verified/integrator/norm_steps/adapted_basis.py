@@ -7,6 +7,7 @@ AᵀP + PA = 2μP - W, W > 0, gives the norm (eᵀPe)^(1/2), in which an error e
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -81,19 +82,18 @@ def _balance(matrix: Matrix, least: float) -> NDArray[np.float64]:
     and a tube that is narrow in one unit of 10^-80 is as wide as nothing can be proved of in the others. Large ones are
     not limited: a clock drives a force of 10^30 by as much, and its tube must be that much narrower.
     """
-    size = len(matrix)
-    scales = np.ones(size)
-    work = np.where(matrix == 0, 0.0, np.maximum(np.abs(matrix), least)) * (1 - np.eye(size))
+    sizes = [[max(abs(entry), least) if entry else 0.0 for entry in row] for row in matrix.tolist()]
+    scales = [1.0] * len(sizes)
+    others = [[j for j in range(len(sizes)) if j != i] for i in range(len(sizes))]
     for _ in range(_SWEEPS):
-        for i in range(size):
-            row, column = float(work[i].sum()), float(work[:, i].sum())
-            if row > 0 or column > 0:
-                ratio = np.sqrt(row / column) if row > 0 and column > 0 else row or 1 / column
-                factor = 2.0 ** round(float(np.log2(ratio)))
-                scales[i] *= factor
-                work[i] /= factor
-                work[:, i] *= factor
-    return scales
+        for i, apart in enumerate(others):
+            row = sum(sizes[i][j] * scales[j] for j in apart) / scales[i]
+            column = sum(sizes[j][i] / scales[j] for j in apart) * scales[i]
+            if row > 0 and column > 0:
+                scales[i] *= 2.0 ** round(math.log2(row / column) / 2)
+            elif row > 0 or column > 0:
+                scales[i] *= 2.0 ** round(math.log2(row or 1 / column))
+    return np.array(scales)
 
 
 def spectral_basis(rows: Sequence[Sequence[float]], limit: float) -> tuple[Matrix, NDArray[np.bool_]] | None:

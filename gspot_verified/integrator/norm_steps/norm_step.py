@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from dataclasses import field as attribute
 from itertools import pairwise
 
 from flint import acb, arb, arb_mat, arb_poly, arb_series
@@ -16,6 +17,7 @@ from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.numbers.balls import add_remainder, approximate, current_bits, nonfinite, series_length
 
 UNIT_INTERVAL = arb((1, -1), (1, -1))  # exactly [0, 1]
+_DISC = arb(0, 1)  # exactly [-1, 1]: there a polynomial's ball is about as wide as the sum of its coefficients' sizes
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,9 +81,18 @@ class NormStep:
     tube: tuple[arb, ...]
     basis: Basis
     radii: tuple[arb, ...]
+    _known: dict[tuple[object, object], list[arb]] = attribute(default_factory=dict, repr=False, compare=False)
 
     def enclosure(self, tau: arb = UNIT_INTERVAL) -> list[arb]:
         """The states at every time of the ball ``tau`` inside [0, 1]; by the mean value form."""
+        if not tau.is_finite():
+            return self._enclosure(tau)
+        key = tau.mid().man_exp(), tau.rad().man_exp()  # the end of a step and all of it are asked for by many
+        if key not in self._known:
+            self._known[key] = self._enclosure(tau)
+        return [*self._known[key]]
+
+    def _enclosure(self, tau: arb) -> list[arb]:
         middle = tau.mid()
         box = []
         for p, r in zip(self.solution, self.tube, strict=True):
@@ -170,7 +181,7 @@ def lengths(values: Sequence[arb], basis: Basis) -> list[arb]:
 
 def _length(values: Sequence[arb]) -> arb:
     if len(values) == 1:
-        return abs(values[0]).upper()
+        return values[0].abs_upper()
     return sum((value * value for value in map(abs, values)), arb(0)).upper().sqrt().upper()
 
 
@@ -257,14 +268,14 @@ def defect_bounds(field: VectorField, solution: Sequence[arb_poly], h: arb, plan
     """Bounds on |h f(x) - dx/dτ| on [0, 1], by component."""
     length = plan.length
     with series_length(length):
-        series = field.series([arb_series(p.coeffs(), length) for p in solution])
+        series = field.series([arb_series(p, length) for p in solution])
     tails = _tails(field, solution, plan)
     if tails is None:
         return None
     defects = []
     for p, f, tail in zip(solution, series, tails, strict=True):
         rest = arb_poly(f.coeffs()) * h - p.derivative()
-        total = (arb_poly([abs(c) for c in rest.coeffs()])(arb(1)) + h * tail).upper()
+        total = (rest(_DISC).abs_upper() + h * tail).upper()
         if not total.is_finite():
             return None
         defects.append(total)

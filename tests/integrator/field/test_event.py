@@ -307,3 +307,24 @@ def test_the_first_crossing_is_before_all_others() -> None:
                 assert hit is found[expected]
                 assert hit.time.contains(arb.pi() / 3)
                 assert rivals(hit, watches, found) == []
+
+
+@pytest.mark.parametrize("radius", [fmpq(1, 2**10), fmpq(1, 2**60)])
+def test_a_bracket_is_as_narrow_as_the_set_lets_it_be(radius: fmpq, monkeypatch: pytest.MonkeyPatch) -> None:
+    """cos t from a box of starts: signs are certain but for about the radius; few places are asked for."""
+    asked: list[int] = []
+    own = Watch.value
+
+    def counted(watch: Watch, states: list[arb]) -> arb:
+        asked.append(1)
+        return own(watch, states)
+
+    monkeypatch.setattr(Watch, "value", counted)
+    with working_bits(128):
+        found = first(-x, [arb(arb(1).mid(), arb(radius)), arb(0)])
+        assert isinstance(found, Crossing)
+        for moment, sign in ((found.begin, -1), (found.end, 1)):
+            states = moment.states()
+            assert -states[0] * sign > 0
+            assert abs(states[0]).lower() < states[0].rad() * arb(2) ** -19
+    assert len(asked) < 60
