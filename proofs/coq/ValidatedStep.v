@@ -267,8 +267,8 @@ apply Rmult_le_compat_r; [apply Rabs_pos|]. apply (jacobian_near _ _ _ _ _ _ _ _
 Qed.
 
 (** Plan: both solutions stay in the tube (Bxi, Bzeta). q = xi - zeta - Yh e, e the difference of the starts, begins at
-    0 and solves a linear equation with a matrix of the box, up to what [column_defect] bounds (Growth): so q(1) is small,
-    and [share] distributes it over the columns of Yh(1). *)
+    0 and solves a linear equation with a matrix of the box, up to what [column_defect] bounds (Growth): so q(1) is
+    small, and [share] distributes it over the columns of Yh(1). *)
 Theorem set_of_solutions (xi zeta : I -> R -> R) : solves f h xi 1 -> solves f h zeta 1 ->
   norm_at_most w (fun i => xi i 0 - x i 0) spread -> (forall i, zeta i 0 = x i 0) ->
   exists A : I -> I -> R, (forall i j, Rabs (A i j - Yh i j 1) <= w i * exp (Rmax (h * mu) 0) * bound j) /\
