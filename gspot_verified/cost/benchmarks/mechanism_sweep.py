@@ -10,7 +10,9 @@ from gspot_verified.cost.benchmarks.force import forget
 from gspot_verified.cost.times.rows import Row, Target
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep.sweep import sweep
+from gspot_verified.mechanisms.table.approach_table import approach_table
 from gspot_verified.mechanisms.table.classify_table import classify_table
+from gspot_verified.numbers.counted import counted
 
 CASES = (
     ("oscillator", {"beta": "1/2..9/2:50", "kappa": "-1..1:20"}, 1_000),
@@ -23,6 +25,8 @@ _SECONDS_PER_CELL = 30 / 10_000  # the target: half a minute for the largest cas
 
 TABLE_ROWS = 1_000  # of the table that is measured
 _SECONDS_PER_ROW = 0.01  # the target
+APPROACH_ROWS = 4  # of the table of states that is measured
+_SECONDS_PER_PATH = 0.5  # the target
 
 
 def table_row() -> Row:
@@ -41,6 +45,23 @@ def table_row() -> Row:
         "table",
         f"{TABLE_ROWS} rods, mu, m, L, g = random",
         Target("processor time", TABLE_ROWS * _SECONDS_PER_ROW, "s"),
+        figure,
+        cold=figure,
+        note=f"{sum(row.outcome == 'settled' for row in rows)} settled",
+    )
+
+
+def approach_row() -> Row:
+    """A table of states of the rod, slip followed for each: processor time in one process."""
+    table = [{"theta": f"theta_ref - 1/{k}", "theta_dot": "1/2"} for k in range(20, 20 + APPROACH_ROWS)]
+    forget()
+    start = time.process_time()
+    rows = list(approach_table(shipped_mechanism("rod"), table, {"X": 0, "X_dot": 2}))
+    figure = time.process_time() - start
+    return Row(
+        "table",
+        f"{APPROACH_ROWS} states of a rod, theta = theta_ref - 1/20, ...",
+        Target("processor time", APPROACH_ROWS * _SECONDS_PER_PATH, "s"),
         figure,
         cold=figure,
         note=f"{sum(row.outcome == 'settled' for row in rows)} settled",
@@ -68,4 +89,5 @@ def sweep_rows(full: bool = False, progress: Callable[[str], None] = lambda _: N
             )
         )
     progress(f"a table of {TABLE_ROWS} rods")
-    return [*rows, table_row()]
+    progress(f"a table of {counted(APPROACH_ROWS, 'state')}")
+    return [*rows, table_row(), approach_row()]

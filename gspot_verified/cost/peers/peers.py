@@ -55,6 +55,7 @@ DECIMALS = (fmpq(7, 3), fmpq(21234567, 10**7), fmpq(2123456789012345678901234567
 DIGITS = (16, 50, 1_000, 10_000)  # of one value
 REACHES = (2.0, 10.0, 50.0)  # of tau on both sides, for many values
 POINTS = 20_000  # values in one array
+SHORT = (500, 2_000)  # values in a short one
 
 _MPMATH_DIGITS = 50  # more take mpmath too long
 _MANY_DIGITS = 50  # from these on the target of a first call is another one
@@ -67,6 +68,7 @@ _FIRST_CALL = {
     False: Target("FLINT / first call", 1.0, at_most=False),
 }
 _FASTER = Target("DOP853 / ours", 1.0, at_most=False)
+_FASTER_AGAIN = Target("DOP853 / warm", 1.0, at_most=False)
 _PREPARED = Target("time", 3e-6, "s")
 
 
@@ -152,11 +154,27 @@ def many_values(points: int = POINTS, reaches: tuple[float, ...] = REACHES) -> I
             f"{_thousands(rates['baseline'])}; balls of 50 digits {_thousands(rates['50 digits'])}"
         )
         yield _row("many values", f"{points} τ in [-{reach:g}, {reach:g}] β={beta}", _FASTER, figure, times, note)
+    yield from _short_arrays(beta, reaches)
     yield _grid()
     prepared, at = PreparedTheta(beta, 15, 10), fmpq(17, 7)
     calls = 200
     seconds = measure({"it": Contestant(lambda: [prepared(at) for _ in range(calls)], None, 50)})["it"].best / calls
     yield Row("many values", f"prepared, β={beta} 15 digits, |τ| <= 10, one value", _PREPARED, seconds, warm=seconds)
+
+
+def _short_arrays(beta: fmpq, reaches: tuple[float, ...]) -> Iterator[Row]:
+    """Short arrays: the first one at a beta (cold), and the next ones, of which the figure is."""
+    source = np.random.default_rng(2)
+    for points, reach in product(SHORT, reaches):
+        tau = source.uniform(-reach, reach, points)
+        times = measure({
+            "cold": Contestant(partial(theta_of_floats, tau, beta), clear_caches, 5),
+            "warm": Contestant(partial(theta_of_floats, tau, beta), None, 15),
+            "baseline": Contestant(partial(ode_values, np.sort(tau), beta), None, 5),
+        }, 1.0)  # fmt: skip
+        figure = times["baseline"].best / times["warm"].best
+        words = f"{points} τ in [-{reach:g}, {reach:g}] β={beta}"
+        yield _row("short arrays", words, _FASTER_AGAIN, figure, times, "warm: the next array at this β")
 
 
 def _grid() -> Row:

@@ -21,12 +21,13 @@ def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mechanism, "_chains", lambda *_: [])
     monkeypatch.setattr(mechanism_sweep, "CASES", (("genot_brogliato_rod", {"mu": "1.3..1.6:3"}, 3),))
     monkeypatch.setattr(mechanism_states, "CASES", (("model", {"x": "0", "u": "3", "p": "1/2", "b": "-2"}),))
+    monkeypatch.setattr(mechanism_sweep, "APPROACH_ROWS", 1)
     steps: list[str] = []
     report = mechanism.run(progress=steps.append)
-    assert len(report.rows) == 18
+    assert len(report.rows) == 22
     assert all(row.figure is not None and row.figure > 0 for row in report.rows)
     assert "the fold" in str(report)
-    assert len(json.loads(json.dumps(report.to_json()))["rows"]) == 18
+    assert len(json.loads(json.dumps(report.to_json()))["rows"]) == 22
     assert "critical friction" in steps
 
 

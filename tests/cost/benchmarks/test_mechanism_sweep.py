@@ -11,13 +11,15 @@ def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mechanism_sweep, "CASES", (("genot_brogliato_rod", {"mu": "1.3..1.6:3"}, 3),))
     monkeypatch.setattr(mechanism_sweep, "LONG_CASES", (("oscillator", {"beta": "9/4..5/2:2"}, 2),))
     monkeypatch.setattr(mechanism_sweep, "TABLE_ROWS", 3)
+    monkeypatch.setattr(mechanism_sweep, "APPROACH_ROWS", 1)
     steps: list[str] = []
     short, both = mechanism_sweep.sweep_rows(progress=steps.append), mechanism_sweep.sweep_rows(full=True)
-    assert (len(short), len(both)) == (2, 3)
+    assert (len(short), len(both)) == (3, 4)
     assert all(row.figure is not None and row.figure > 0 for row in (*short, *both))
     assert "genot_brogliato_rod over mu = 1.3..1.6:3" in steps[0]
     assert "pieces, proved" in both[1].note
-    assert (both[2].note, "a table of 3 rods" in steps[-1]) == ("3 settled", True)
+    assert (both[2].note, "a table of 3 rods" in steps[-2]) == ("3 settled", True)
+    assert (both[3].note, "a table of one state" in steps[-1]) == ("1 settled", True)
 
 
 def test_the_cells_of_each_case_are_counted() -> None:

@@ -33,6 +33,16 @@ def test_the_recorded_measurement_has_every_part() -> None:
         assert any(route.points for route in part.routes), part.key
 
 
+def test_the_recorded_measurement_has_the_words_and_routes_of_today() -> None:
+    """Routes that were missing then stand there, too, and say why."""
+    for part, blueprint in zip(recorded().parts, blueprints(recorded().full), strict=True):
+        assert (part.title, part.question, part.axis, part.symbol) == (
+            blueprint.title, blueprint.question, blueprint.axis, blueprint.symbol,
+        )  # fmt: skip
+        assert [(route.panel, route.name) for route in part.routes] == [c.own_name for c in blueprint.contestants()]
+        assert (part.remarks, part.targets) == (blueprint.remarks, blueprint.targets)
+
+
 CHANGES: list[tuple[str, Callable[[Any], object]]] = [
     ("expected the keys", lambda data: data.pop("machine")),
     ("expected the keys", lambda data: data.update(surprise=1)),
