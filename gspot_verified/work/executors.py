@@ -21,6 +21,7 @@ _Result = TypeVar("_Result")
 
 _MAX_WORKERS = 1_024  # a limit of input: ValueError beyond it
 _IN_FLIGHT = 256  # calls that are given out and not yet taken back: more than the workers of one machine
+_ENDED = "a worker process was ended from outside (killed, or out of memory)"
 _ADDRESS = re.compile(r"((tcp|tls|ucx|ws|wss)://)?(\[[0-9A-Fa-f:.%]+\]|[^\s:/\[\]]+):[0-9]{1,5}/?|inproc://\S+")
 """Of a scheduler. Asked before Dask is: it answers to anything else after 40 seconds."""
 _ENDED = "a worker process was ended from outside (killed, or out of memory)"

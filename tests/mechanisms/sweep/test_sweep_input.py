@@ -97,3 +97,10 @@ def test_what_formulas_assume_of_a_parameter_that_follows_holds_between_the_ends
     if word != "integer":
         assert [axis.lower for axis in module._axes(mechanism, {"beta": "9/2..5"})] == [fmpq(9, 2)]
     assert len(module._axes(mechanism, {"k_phi": "1..2"})) == 1
+
+
+def test_what_formulas_assume_of_a_parameter_that_varies_holds_at_the_ends() -> None:
+    mechanism = replace(shipped_mechanism("frictional impact oscillator"), assumed=(("beta", "positive"),))
+    assert len(module._axes(mechanism, {"beta": "1..2"})) == 1
+    with pytest.raises(MechanismError, match="symbol beta is assumed positive; its value is -1"):
+        module._axes(mechanism, {"beta": "-1..2"})
