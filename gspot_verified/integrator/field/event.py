@@ -263,7 +263,7 @@ class Watch:
         the sum of both is positive."""
         value = self.value(piece.segment.states(tau)) * sign
         small = value.rad() * _SMALL_PART
-        return (value.lower() - small).mid(), small
+        return value.lower() - small, small
 
 
 def first_crossing(
