@@ -81,7 +81,10 @@ class NormStep:
     tube: tuple[arb, ...]
     basis: Basis
     radii: tuple[arb, ...]
-    _known: dict[tuple[object, object], list[arb]] = attribute(default_factory=dict, repr=False, compare=False)
+    # Of this step alone: a changed copy begins without.
+    _known: dict[tuple[object, object], list[arb]] = attribute(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def enclosure(self, tau: arb = UNIT_INTERVAL) -> list[arb]:
         """The states at every time of the ball ``tau`` inside [0, 1]; by the mean value form."""

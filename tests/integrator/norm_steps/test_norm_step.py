@@ -269,3 +269,13 @@ def test_a_pole_in_the_disc_of_the_defect() -> None:
         for disc, good in ((8, True), (64, False)):
             found = norm_step(field, curve, start, arb((1, -3)), replace(plan(one), disc=disc))
             assert (found is not None) is good
+
+
+def test_a_changed_copy_of_a_step_has_its_own_states() -> None:
+    h = fmpq(1, 2)
+    step = certain(norm_step(OSCILLATOR, circle(12, h), point(1, 0), arb((1, -1)), plan()))
+    before = step.enclosure(arb(1))
+    moved = replace(step, solution=tuple(p + 1 for p in step.solution)).enclosure(arb(1))
+    assert all(new.overlaps(old + 1) for new, old in zip(moved, before, strict=True))
+    assert not any(new.overlaps(old) for new, old in zip(moved, before, strict=True))
+    assert all(a.mid() == b.mid() for a, b in zip(step.enclosure(arb(1)), before, strict=True))
