@@ -304,7 +304,7 @@ MORE_LIES: list[tuple[str, Callable[[pytest.MonkeyPatch], None], Iterable[int]]]
     ("maps", lying(maps, "sweep", with_a_hole), range(4)),
     ("maps", lying(maps, "sweep", turned), range(3, 5)),
     ("fates", lying(fates, "fates", with_a_hole), (9,)),
-    ("journals", believing_tubes, (12,)),
+    ("journals", believing_tubes, (1,)),
     ("merged", lying(merged, "sign_on_ranges", proved), (14,)),
     ("reports", lambda patch: patch.setattr("gspot_verified.report.site.typeset", lambda text: text), range(4)),
     ("reports", lambda patch: patch.setattr("gspot_verified.report.data._file_name", lambda *_: None), range(2)),

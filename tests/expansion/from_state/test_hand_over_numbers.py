@@ -50,7 +50,7 @@ def tube(z: str, h: fmpq = H_1, e: fmpq = A * DELTA**3) -> Tube:
     assert evidence is not None
     start = Start(fmpq(4, 9), e, arb(0), 1, fmpq(1, 2))
     barrier = {(2, 0): arb(z) / arb(h) ** 2}
-    return Tube(start, Rectangle(h, fmpq(2, 3)), barrier, arb(1), fmpq(1, 5), SHARES, BETA, evidence)
+    return Tube(start, Rectangle(h, fmpq(2, 3)), fmpq(1), barrier, arb(1), fmpq(1, 5), SHARES, BETA, evidence)
 
 
 @cache
