@@ -11,7 +11,6 @@ producer may have chosen: residuals, the growth of the deviation, its barrier an
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -44,11 +43,6 @@ def above(q: Fraction) -> Fraction:
 def root_above(q: Fraction) -> Fraction:
     """A number ≥ √q."""
     return Fraction(root_up(up(q.numerator << 2 * BITS, q.denominator)), 1 << BITS)
-
-
-def root_below(q: Fraction) -> Fraction:
-    """A number ≤ √q."""
-    return Fraction(math.isqrt((q.numerator << 2 * BITS) // q.denominator), 1 << BITS)
 
 
 def log_above(q: Fraction) -> Fraction:
@@ -299,7 +293,7 @@ def barrier(source: Monomials, rate: Fraction, damping: Fraction) -> Monomials:
 
 def start_bound(slow: Slow, start: Start) -> Fraction:
     """z_0 of (8)."""
-    h, r = above(start.e / (start.p * root_below(start.p))), root_above(start.p)
+    h, r = root_above(start.e**2 / start.p**3), root_above(start.p)
     one, two, three = slow.lengths()
     v, w, f = (at(terms, h, r) for terms in (over(monomials(slow.v), 0, 1), monomials(slow.w), monomials(slow.f)))
     return 3 * start.within + one * v + two * w + three * r * f

@@ -61,6 +61,21 @@ def test_the_shipped_certificate_says_what_it_proves() -> None:
     )
 
 
+def in_units(c: Fraction) -> Change:
+    """The same motion, with 1/c times the unit of T: p, r, ε, the damper and what belongs to them have other numbers."""
+
+    def change(statement: dict[str, Any], line: dict[str, Any]) -> None:
+        for name, power in (("p", 2), ("b", 2), ("epsilon", 3)):
+            statement[name] = str(Fraction(statement[name]) * c**power)
+        statement["contact"][2] = str(1 / c)
+        line["damping"], line["least"] = str(Fraction(line["damping"]) / c), str(Fraction(line["least"]) * c**2)
+        line["rectangle"][1] = str(Fraction(line["rectangle"][1]) * c)
+        for name, power in (("v", 1), ("w", 0), ("f", -2)):
+            line[name] = [[i, n, str(Fraction(value) * c ** (power - n))] for i, n, value in line[name]]
+
+    return change
+
+
 ACCEPTED: list[tuple[str, Change]] = [
     ("a smaller ε", moved(0, "epsilon", Fraction(1, 1000))),
     ("fewer starts", put(0, within="0")),
@@ -68,7 +83,8 @@ ACCEPTED: list[tuple[str, Change]] = [
     ("an end that is farther away", put(0, scaled="5")),
     ("a larger rate", moved(1, "rate", Fraction(1001, 1000))),
     ("a larger p at the end", moved(1, "least", Fraction(1001, 1000))),
-    ("other units of time", put(0, alpha=["-1", "-2", "-3/2"], b="-4")),
+    ("another λ̄", put(0, alpha=["-1", "-2", "-3/2"], b="-4")),
+    ("another unit of time", in_units(Fraction(1, 4))),
     ("a slow part that is nearly right", term("v", 4, "3624/1000")),
 ]
 
@@ -88,6 +104,7 @@ def test_what_follows_is_accepted(change: Change) -> None:
 REJECTED: list[tuple[str, Change, str]] = [
     # Each hypothesis of Theorem B.
     ("ε too large", moved(0, "epsilon", Fraction(2)), "p at the end of the rectangle is not the one given"),
+    ("a p that the rounding cannot tell from 0", in_units(Fraction(1, 10**70)), "the barrier is not below z_max"),
     ("ε far too large", put(0, epsilon="1"), "the passage would end before its start"),
     ("starts too far from rest", put(0, within="1/50"), "the barrier is not below z_max at the start"),
     ("more drift than stated", put(0, drift="6000/524288"), "not in lowest terms"),
@@ -161,9 +178,9 @@ def test_the_pages_are_those_of_a_passage() -> None:
 
 @given(st.fractions(min_value=Fraction(1, 10**30), max_value=10**30))
 def test_roots_and_logarithms_are_bounds_and_close_ones(q: Fraction) -> None:
-    assert passage.root_below(q) ** 2 <= q <= passage.root_above(q) ** 2
-    assert passage.root_above(q) - passage.root_below(q) <= Fraction(2, 2**passage.BITS)
-    assert 0 <= passage.above(q) - q < Fraction(1, 2**passage.BITS)
+    root, unit = passage.root_above(q), Fraction(1, 2**passage.BITS)
+    assert max(root - 2 * unit, 0) ** 2 <= q <= root**2
+    assert 0 <= passage.above(q) - q < unit
     exact = math.log(q.numerator) - math.log(q.denominator)
     assert -1e-12 <= float(passage.log_above(q)) - exact <= 1e-12 + 1e-15 * exact**2
 
