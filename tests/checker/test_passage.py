@@ -62,7 +62,7 @@ def test_the_shipped_certificate_says_what_it_proves() -> None:
 
 
 def in_units(c: Fraction) -> Change:
-    """The same motion, with 1/c times the unit of T: p, r, ε, the damper and what belongs to them have other numbers."""
+    """The same motion, with 1/c times the unit of T: p, r, ε, the damper and what belongs to them have new numbers."""
 
     def change(statement: dict[str, Any], line: dict[str, Any]) -> None:
         for name, power in (("p", 2), ("b", 2), ("epsilon", 3)):
