@@ -304,3 +304,83 @@ def test_a_hostile_file_ends_soon() -> None:
         said(put(1, v=[[1, 31, "1"]]))
     with pytest.raises(check.limits.Rejected, match="is not a term of v"):
         said(put(1, v=[[1, -1, "1"]]))
+
+
+def test_the_start_is_bounded_by_the_formula_of_the_page() -> None:
+    """(8), with springs and a damper that are not 1."""
+    statement = LINES[0]["statement"] | {"contact": ["2", "1", "1"]}  # κ = 2/3, g = 3, l = 1/3
+    start = passage.Start(statement)
+    polynomials = [[[1, 1, "-5"], [2, 3, "7"]], [[2, 0, "4000"]], [[2, 0, "-9000"], [3, 1, "1"]]]
+    slow = passage.Slow(start, *(passage.read_polynomial(terms, "v") for terms in polynomials))
+    h, r = 1 / 4000 / 0.5**1.5, math.sqrt(0.5)
+    v, w, f = 5 * h + 7 * h**2 * r**2, 4000 * h**2, 9000 * h**2 + h**3 * r
+    expected = 0.03 + math.sqrt(2 / 3) * v + w + 3 * math.sqrt(3) * r * f
+    assert float(passage.start_bound(slow, start)) == pytest.approx(expected, rel=1e-12)
+    assert [*map(float, slow.lengths())] == pytest.approx([math.sqrt(2 / 3), 1, 3 * math.sqrt(3)], rel=1e-12)
+
+
+@pytest.mark.parametrize(("i", "n"), [(1, 0), (1, 2), (1, 3), (1, 5), (2, 5), (2, 7)])
+def test_the_integral_of_a_monomial_of_the_barrier_is_no_larger(i: int, n: int) -> None:
+    """∫ h^i r^n dp/p at one e from p_S = 1/4 to p_1 = 4, exactly, beside the bound."""
+    _, _, norm = parts()
+    bound = passage.passed({(i, n): Fraction(1)}, norm._replace(r=Fraction(2)), Fraction(1, 2))
+    own = (3 * i - n) / 2
+    total = (2 ** (2 * own) - 2 ** (-2 * own)) / own if own else math.log(16)
+    assert total * (float(norm.h) / 8) ** i <= float(bound)  # h = h_1/(2r)^3
+
+
+Terms = dict[tuple[int, int], Fraction]
+NEAR = Fraction(1, 10**5)
+
+
+def ended(
+    *, w: Terms | None = None, source: Terms | None = None, damping: Fraction | None = None, **statement: Any
+) -> str:
+    """Why Theorem B is rejected for the shipped numbers with other w, 𝓕, θ, without v and f; nothing if it holds."""
+    start = passage.Start(LINES[0]["statement"] | {"drift": "0"} | statement)
+    _, slow, norm = parts()
+    slow.start, slow.source, slow.v, slow.f = start, source or {}, passage.NOTHING, passage.NOTHING
+    slow.w = passage.Polynomial({("h",) * i + ("r",) * n: c for (i, n), c in (w or {}).items()})
+    norm = norm._replace(damping=damping or norm.damping)
+    rate, largest, least = (Fraction(LINES[1][name]) for name in ("rate", "largest", "least"))
+    try:
+        passage.check_barrier(start, slow, norm, rate, largest, least)
+    except check.limits.Rejected as reason:
+        return str(reason)
+    return ""
+
+
+def test_the_layer_must_fall_by_enough_at_the_end() -> None:
+    rate, largest, least = (float(Fraction(LINES[1][name])) for name in ("rate", "largest", "least"))
+    length = math.log(0.5**3 / 8**2 * 4000**2) / 3
+    damping = Fraction((rate * length - math.log(largest / 0.03)) * 2 / 4000 / (0.25 - least**2))
+    assert ended(damping=damping * (1 - NEAR)) == "the barrier is not below z_max at the end"
+    assert ended(damping=damping * (1 + NEAR)) == "the integral of the layer is not bounded"
+    damping = Fraction(4 * rate / 4000 / 0.75)
+    assert ended(damping=damping * (1 - NEAR)) == "the layer does not fall with ε"
+    assert ended(damping=damping * (1 + NEAR)) == "the barrier is not below z_max at the end"
+
+
+def test_w_must_leave_the_force_positive_and_the_deviation_falling() -> None:
+    start, _, norm = parts()
+    moved = norm.share(start) * Fraction(LINES[1]["largest"])
+    for b, limit, reason in (
+        ("-2", 1 - moved, "the force is not certainly positive"),
+        ("-1/2", Fraction(1, 3) - moved, "the deviation does not certainly fall with p"),
+    ):
+        for side, expected in ((1 + NEAR, reason), (1 - NEAR, "C_1 may drift more than is stated")):
+            assert ended(w={(2, 0): -limit * side / norm.h**2}, b=b) == expected
+    assert ended(w={(1, 3): Fraction(-1, 1000)}) == "w has a monomial that does not grow"
+
+
+def test_the_drift_is_the_sum_of_the_page() -> None:
+    """Item 5 of section 10, with one monomial of w and one of 𝓕."""
+    start, _, norm = parts()
+    rate, least = (float(Fraction(LINES[1][name])) for name in ("rate", "least"))
+    length, decay = math.log(0.5**3 / 8**2 * 4000**2) / 3, 0.05 * (0.25 - least**2) * 2000
+    first = 0.03 + 0.1 * (1 / 4000 / 0.5**1.5) ** 2 * 0.5
+    area = first / (decay / length - rate) + 2 * 3 / (6 - rate) * 8**-4 / 12
+    drift = 1.5 * (2 * 0.1 * 8**-2 * least / 4 + float(norm.share(start)) * area)
+    chosen = {"w": {(2, 2): Fraction(-1, 10)}, "source": {(4, 0): Fraction(3)}}
+    assert ended(**chosen, drift=str(Fraction(drift) * (1 - NEAR))) == "C_1 may drift more than is stated"
+    assert not ended(**chosen, drift=str(Fraction(drift) * (1 + NEAR)))
