@@ -62,7 +62,7 @@ def test_the_shipped_certificate_says_what_it_proves() -> None:
 
 
 def in_units(c: Fraction) -> Change:
-    """The same motion, with 1/c times the unit of T: p, r, ε, the damper and what belongs to them have new numbers."""
+    """The same motion, with another unit of T: p, r, ε, the damper and what belongs to them have other numbers."""
 
     def change(statement: dict[str, Any], line: dict[str, Any]) -> None:
         for name, power in (("p", 2), ("b", 2), ("epsilon", 3)):
@@ -319,7 +319,7 @@ def test_the_start_is_bounded_by_the_formula_of_the_page() -> None:
     assert [*map(float, slow.lengths())] == pytest.approx([math.sqrt(2 / 3), 1, 3 * math.sqrt(3)], rel=1e-12)
 
 
-@pytest.mark.parametrize(("i", "n"), [(1, 0), (1, 2), (1, 3), (1, 5), (2, 5), (2, 7)])
+@pytest.mark.parametrize(("i", "n"), [(1, 0), (1, 2), (1, 3), (1, 5), (1, 7), (2, 7)])
 def test_the_integral_of_a_monomial_of_the_barrier_is_no_larger(i: int, n: int) -> None:
     """∫ h^i r^n dp/p at one e from p_S = 1/4 to p_1 = 4, exactly, beside the bound."""
     _, _, norm = parts()
@@ -334,7 +334,12 @@ NEAR = Fraction(1, 10**5)
 
 
 def ended(
-    *, w: Terms | None = None, source: Terms | None = None, damping: Fraction | None = None, **statement: Any
+    *,
+    w: Terms | None = None,
+    source: Terms | None = None,
+    damping: Fraction | None = None,
+    least: str = LINES[1]["least"],
+    **statement: Any,
 ) -> str:
     """Why Theorem B is rejected for the shipped numbers with other w, 𝓕, θ, without v and f; nothing if it holds."""
     start = passage.Start(LINES[0]["statement"] | {"drift": "0"} | statement)
@@ -342,9 +347,9 @@ def ended(
     slow.start, slow.source, slow.v, slow.f = start, source or {}, passage.NOTHING, passage.NOTHING
     slow.w = passage.Polynomial({("h",) * i + ("r",) * n: c for (i, n), c in (w or {}).items()})
     norm = norm._replace(damping=damping or norm.damping)
-    rate, largest, least = (Fraction(LINES[1][name]) for name in ("rate", "largest", "least"))
+    rate, largest = (Fraction(LINES[1][name]) for name in ("rate", "largest"))
     try:
-        passage.check_barrier(start, slow, norm, rate, largest, least)
+        passage.check_barrier(start, slow, norm, rate, largest, Fraction(least))
     except check.limits.Rejected as reason:
         return str(reason)
     return ""
@@ -384,3 +389,15 @@ def test_the_drift_is_the_sum_of_the_page() -> None:
     chosen = {"w": {(2, 2): Fraction(-1, 10)}, "source": {(4, 0): Fraction(3)}}
     assert ended(**chosen, drift=str(Fraction(drift) * (1 - NEAR))) == "C_1 may drift more than is stated"
     assert not ended(**chosen, drift=str(Fraction(drift) * (1 + NEAR)))
+
+
+def test_the_layer_of_a_short_passage_is_bounded_for_smaller_epsilon_too() -> None:
+    """(11) with log(p_1/p_S) < 2/3."""
+    start, _, norm = parts()
+    epsilon, least, damping = Fraction(1, 42), 0.332, Fraction(3)
+    assert (8 / 42) ** (2 / 3) < least < 0.5 * math.exp(-0.4)
+    fall = 3 * (0.25 - least**2) * 21 / (2 / 3) - float(Fraction(LINES[1]["rate"]))
+    drift = Fraction(1.5 * float(norm.share(start)) * 0.03 / fall)
+    chosen: dict[str, Any] = {"damping": damping, "epsilon": str(epsilon), "least": str(Fraction(332, 1000))}
+    assert ended(**chosen, drift=str(drift * (1 - NEAR))) == "C_1 may drift more than is stated"
+    assert not ended(**chosen, drift=str(drift * (1 + NEAR)))
