@@ -59,7 +59,7 @@ def test_only_what_lies_outside_of_the_rectangle_is_left_out() -> None:
 
 
 def test_side_entries_count_by_their_squares() -> None:
-    """[[r², 0, x], [0, r², 0], [x, 0, 1]] with x = cr is positive for c² < 1 alone; with hr for r², in the other chart."""
+    """[[r², 0, x], [0, r², 0], [x, 0, 1]], x = cr, is positive for c² < 1 alone; with hr for r² in the other chart."""
     for c, good in ((Fraction(9, 10), True), (Fraction(11, 10), False)):
         x = passage.number(c) * R
         N = diagonal(R * R, R * R)
