@@ -141,6 +141,7 @@ REJECTED: list[tuple[str, Change, str]] = [
     ("b on the distinguished trajectory", put(0, b="-1"), "the distinguished trajectory"),
     ("p not positive", put(0, p="0"), "p, ε, S or η"),
     ("a negative share", put(0, within="-1/100"), "p, ε, S or η"),
+    ("ε = 0", put(0, epsilon="0"), "p, ε, S or η"),
     ("β = 1", put(0, alpha=["-1", "-1", "-1"]), "β is not above 1"),
     ("α_1 positive", put(0, alpha=["1", "-1", "-3/2"]), "β is not above 1"),
     ("α_2 positive", put(0, alpha=["-1", "1", "-3/2"]), "β is not above 1"),

@@ -58,6 +58,17 @@ def test_only_what_lies_outside_of_the_rectangle_is_left_out() -> None:
     assert not held(diagonal(-SUM, SUM), True, Fraction(1), Fraction(1, 4))
 
 
+@pytest.mark.parametrize("tenths", [1, 9])
+def test_no_part_of_a_box_that_is_halved_is_lost(tenths: int) -> None:
+    """s - 1/10, 9/10 - s, u - 1/10, 9/10 - u as an entry of the block, in the chart h = us, r = s: each is negative in
+    one part of the first box, of one side of it."""
+    level, sign = passage.number(Fraction(tenths, 10)), passage.number(1 if tenths == 1 else -1)
+    for entry in (sign * R * R * (R - level), sign * R * (H - level * R)):
+        assert not held(diagonal(entry, SUM), True, Fraction(1), Fraction(1))
+    for entry in (sign * H * R * (H - level), sign * R * (R - level * H)):  # r = us, h = s: over h²u
+        assert not held(diagonal(entry, SUM), False, Fraction(1), Fraction(1))
+
+
 def test_side_entries_count_by_their_squares() -> None:
     """[[r², 0, x], [0, r², 0], [x, 0, 1]], x = cr, is positive for c² < 1 alone; with hr for r² in the other chart."""
     for c, good in ((Fraction(9, 10), True), (Fraction(11, 10), False)):
@@ -104,6 +115,27 @@ def test_the_barrier_of_any_source_is_an_upper_solution(i: int, n: int, rate: Fr
         for r in (Fraction(1, 100), Fraction(1, 3), Fraction(1)):
             paid = sum((Fraction(3 * j - m, 2) - rate + damping * r / h) * c * h**j * r**m for (j, m), c in Z.items())
             assert paid >= h**i * r**n
+
+
+def test_a_deficit_is_paid_once_and_no_more() -> None:
+    """Γ = 3, θ = 1/2: h r² has E = 1/2 and costs 2 h² r, whose E = 5/2 leaves a deficit of 1: 2 h³."""
+    found = passage.barrier({(1, 2): Fraction(1)}, Fraction(3), Fraction(1, 2))
+    assert found == {(2, 1): Fraction(2), (3, 0): Fraction(2)}
+
+
+def test_a_negative_excess_is_kept_below_the_mean_force_with_the_fast_part() -> None:
+    """|L|(1 + sup w⁺ + W*) < λ̄: with half of W* it would hold."""
+    start, slow, norm = parts()
+    rising = passage.at(passage.monomials(slow.w), norm.h, norm.r, 1)
+    moved = norm.share(start) * Fraction(1, 30)
+    for share, reason in ((Fraction(1, 2), "the force is not certainly positive"), (Fraction(11, 10), "")):
+        excess = -start.mean / (1 + rising + share * moved)
+        b = (-start.p * (start.mean + excess)).limit_denominator(10**9)
+        if reason:
+            with pytest.raises(check.limits.Rejected, match=reason):
+                said(put(0, b=str(b)))
+        else:
+            assert f"b = {b} with" in said(put(0, b=str(b)))
 
 
 def test_the_end_is_measured_in_the_units_of_the_system() -> None:

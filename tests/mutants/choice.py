@@ -23,8 +23,10 @@ def mirrored(root: Path, file: str) -> list[str]:
     path = Path(file)
     folder = root / "tests" / Path(*path.parts[1:-1])
     tests = sorted(folder.glob(f"test_{path.stem}.py")) + _with_longer_names(root / path, folder)
-    tests += [root / name for name in _OF_THE_CHECKER] if file.startswith("proofs/checker/") else []
-    chosen = [file, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
+    of_checker = file.startswith("proofs/checker/")  # it has no examples, and finds its own parts as a program alone
+    tests += [root / name for name in _OF_THE_CHECKER] if of_checker else []
+    own = [] if of_checker else [file]
+    chosen = [*own, *(test.relative_to(root).as_posix() for test in tests)] if tests else importing(root, file)
     further = [*importing(root, file), *_OF_THE_PARTS] if parts(root, file) else []
     return list(dict.fromkeys([*chosen, *further]))
 
