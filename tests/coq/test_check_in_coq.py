@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import re
 import shutil
@@ -31,18 +30,6 @@ DATA = {
     LIFT_OFF: "DataLiftOff.v",
     DIPS: "DataSlowZeros.v",
 }
-
-
-@pytest.fixture
-def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """The script as a module."""
-    monkeypatch.syspath_prepend(str(COQ))
-    spec = importlib.util.spec_from_file_location("check_in_coq", COQ / "check_in_coq.py")
-    assert spec
-    assert spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.mark.parametrize(("file", "data"), [*DATA.items(), (RUN, "DataRun.v")], ids=[*DATA.values(), "DataRun.v"])

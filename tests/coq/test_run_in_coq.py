@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import importlib.util
 import json
 import shutil
 import subprocess
@@ -18,18 +17,6 @@ from must_reject.mutate import text_of
 COQ = Path(__file__).resolve().parents[2] / "proofs" / "coq"
 RUN = COQ.parent / "run_fig_varsim1.cert"
 CLASSIC = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
-
-
-@pytest.fixture
-def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """The script as a module."""
-    monkeypatch.syspath_prepend(str(COQ))
-    spec = importlib.util.spec_from_file_location("check_in_coq", COQ / "check_in_coq.py")
-    assert spec
-    assert spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def with_number(change: str, *path: str | int) -> bytes:
