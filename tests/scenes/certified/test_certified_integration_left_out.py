@@ -483,3 +483,13 @@ def test_a_condition_that_fails_from_the_start_on_and_holds_again_within_one_ste
     ahead = integrated_run(replace(scene, parameters={**parameters, "a": -parameters["a"]}))
     assert ahead.fate == NO_EVENT
     assert standing(ahead)["stick"] == CHECKED
+
+
+def test_a_condition_that_is_left_in_a_third_derivative_is_seen_at_the_event_that_ends_the_step() -> None:
+    """u = u' = u'' = 0 > u''' at the start: no sign is asked that far, and lift-off at .00597 ends the first step."""
+    start = {"p": fmpq(1, 10), "b": fmpq(-1, 10), **dict.fromkeys("yzvu", fmpq(0))}
+    parameters = {"alpha_1": fmpq(-1), "alpha_2": fmpq(50), "beta": fmpq(2, 3), "a": fmpq(0), "k_plus": fmpq(-1)}
+    run = integrated_run(Scene("slowed", TANGENTIAL, EPSILON, fmpq(1, 2), parameters, start))
+    assert run.fate == REFUTED
+    assert standing(run)["stick"] == VIOLATED
+    assert fmpq(597, 100000) <= bracket(run, "stick")[1] <= fmpq(598, 100000)
