@@ -86,10 +86,6 @@ class Range:
         below = self.upper is None or value < self.upper or (self.upper_closed and value == self.upper)
         return above and below
 
-    def meets(self, lower: fmpq, upper: fmpq) -> bool:
-        """Whether some number of the range lies in the open interval (lower, upper)."""
-        return (self.lower is None or self.lower < upper) and (self.upper is None or self.upper > lower)
-
 
 def _end(text: str, side: int, name: str) -> fmpq | None:
     word = text.strip().lower()

@@ -6,7 +6,6 @@ Proof page: ``proofs/validated_step.md``, Theorems V5 and V6; ``proofs/norm_step
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from copy import copy
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Protocol
@@ -146,16 +145,10 @@ class Watch:
         self._program = BoxProgram(derivatives, field.dimension)
         self._stretch: list[_Piece] = []  # g rises on them all, and g < 0 at the begin of the first
         self._followed: Moment | None = None
-        self._leaving = self._from_zero = from_zero > 0
+        self._leaving = from_zero > 0
         if from_zero == 2:
             derivatives.append(lie_derivative(derivatives[1], field.functions))
         self._first = BoxProgram(derivatives[-1:], field.dimension)
-
-    def afresh(self) -> Watch:
-        """The same function to be followed along another run; nothing is compiled again."""
-        other = copy(self)
-        other._stretch, other._followed, other._leaving = [], None, self._from_zero
-        return other
 
     def value(self, states: list[arb]) -> arb:
         """An enclosure of g."""
