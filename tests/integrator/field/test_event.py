@@ -275,6 +275,34 @@ def test_a_crossing_is_first_by_the_signs_of_all_functions() -> None:
     assert first[1].facts == (*hit.evidence.facts, "-1.00000 < 0")
 
 
+def test_a_function_is_excluded_only_up_to_where_it_was_followed() -> None:
+    """g may vanish twice on the second quarter, and is negative again at 1: that says nothing of the time before."""
+    unclear = {("0/1", "1/4"): NEGATIVE, ("1/2", "1/1"): NEGATIVE}
+    with working_bits(64):
+        watch = Watch("x", x, VectorField([y, number(0)]))
+        segment = Scripted({"1/4": arb(-2), "1/1": arb(-2)}, unclear)
+        assert isinstance(watch.along(segment), Unclear)  # type: ignore[arg-type]
+        assert watch.excluded(Moment(segment, arb(1))) is None  # type: ignore[arg-type]
+        assert watch.excluded(Moment(segment, arb(1) / 4)) is not None  # type: ignore[arg-type]
+
+
+def test_a_moment_is_certainly_by_another_one_of_its_segment_only() -> None:
+    segment, other = (next(iter(Run(OSCILLATOR, [arb(1), arb(0)], arb(1)))) for _ in range(2))
+    half = Moment(segment, arb(1) / 2)
+    assert half.certainly_by(Moment(segment, arb(1) / 2))
+    assert half.certainly_by(Moment(segment, arb(1)))
+    assert not half.certainly_by(Moment(segment, arb(1) / 4))
+    assert not half.certainly_by(Moment(segment, arb("0.5", "0.1")))
+    assert not half.certainly_by(Moment(other, arb(1)))
+
+
+def test_without_saying_so_no_function_starts_at_zero() -> None:
+    """-sin t falls from 0: only who says that it starts there may leave that zero out."""
+    with working_bits(64):
+        found = first(-x, [arb(0), arb(1)])
+        assert isinstance(found, Unclear)
+
+
 def test_a_wide_set_leaves_zero_on_several_pieces() -> None:
     """g = x^2 - 2 x with x' = 1 from 0, in a set of width 0.6: g falls while x < 1, and is certainly negative when all
     of the set has passed 0, after more than a step; it comes back at x = 2."""

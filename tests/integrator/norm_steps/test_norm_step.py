@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from gspot_verified.functions.expressions import Constant, Expression, Power, Sine, Variable
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.norm_steps.adapted_basis import adapted_basis
-from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
+from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, _majorant, norm_step
 from gspot_verified.numbers.balls import working_bits
 
 x, y = Variable(0), Variable(1)
@@ -279,3 +279,26 @@ def test_a_changed_copy_of_a_step_has_its_own_states() -> None:
     assert all(new.overlaps(old + 1) for new, old in zip(moved, before, strict=True))
     assert not any(new.overlaps(old) for new, old in zip(moved, before, strict=True))
     assert all(a.mid() == b.mid() for a, b in zip(step.enclosure(arb(1)), before, strict=True))
+
+
+def test_the_box_of_a_set_is_as_wide_as_its_radii() -> None:
+    with working_bits(64):
+        for basis, reach in ((UNIT, (fmpq(1, 4), fmpq(1, 8))), (ROUND, (fmpq(1, 4), fmpq(1, 4)))):
+            radii = tuple(arb(r) for r in reach[: len(basis.blocks)])
+            for side, middle, r in zip(
+                StateSet((arb(3), arb(5)), basis, radii).enclosure(), (3, 5), reach, strict=True
+            ):
+                assert side.contains(middle + arb(r))
+                assert side.contains(middle - arb(r))
+                assert side.rad() < arb(r) * (1 + arb((1, -20)))
+
+
+def test_the_majorant_takes_the_upper_ends_of_what_it_is_given() -> None:
+    """One block: n' <= a n + d from r; the bound holds for the largest a, r and d."""
+    wide, unit = arb(1, "0.5"), arb(1)
+    with working_bits(64):
+        for rate, radius, push in ((wide, unit, arb(0)), (unit, wide, arb(0)), (unit, unit, wide), (wide, wide, wide)):
+            [bound] = _majorant(arb_mat([[rate]]), [radius], [push])
+            a, r, d = (value.upper() for value in (rate, radius, push))
+            assert bound.is_finite()
+            assert bound >= (r * a.exp() + d * (a.exp() - 1) / a).lower()
