@@ -104,16 +104,7 @@ class BoxProgram:
         return known
 
     def _compiled(self, names: Sequence[str], result: str) -> Callable[..., Any]:
-        """The function of a box and the constants that gives ``result``. Its text holds names made here only."""
-        needed = self._code.needed(names)
-        given = [f"{name} = {name[0]}[{name[1:]}]" for name in needed if name[0] in "xc"]
-        text = "\n    ".join(["def program(x, c):", *given, *self._code.lines(names), f"return {result}"])
-        space: dict[str, Any] = {
-            "one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power, "logarithm": logarithm,
-        }  # fmt: skip
-        exec(compile(text, "<box program>", "exec"), space)
-        program: Callable[..., Any] = space["program"]
-        return program
+        return self._code.function(names, result, _OPERATIONS)
 
 
 def common(first: arb, second: arb) -> arb:
@@ -148,3 +139,8 @@ def logarithm(value: arb) -> arb:
 def power(value: arb, numerator: int, denominator: int) -> arb:
     """The power with a rational exponent; not finite unless the whole ball is positive."""
     return value ** (arb(numerator) / denominator) if value > 0 else nonfinite()
+
+
+_OPERATIONS = {
+    "one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power, "logarithm": logarithm,
+}  # fmt: skip

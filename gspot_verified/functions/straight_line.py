@@ -6,7 +6,9 @@ and no factor 0 is dropped: where a part of an expression is undefined, the whol
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import lru_cache
+from types import CodeType
 from typing import Any
 
 from flint import arb, fmpq
@@ -24,6 +26,8 @@ from gspot_verified.functions.expressions import (
     Variable,
 )
 
+_KEPT_TEXTS = 256  # whose code is kept: the same equations are asked for again and again
+
 Definition = tuple[str, tuple[Any, ...]]
 """An operation and its operands: names of values, or a sign and a name for each term of a sum."""
 
@@ -37,6 +41,11 @@ class StraightLine:
         self._names: dict[Definition, str] = {}
         self._numbers: dict[str, fmpq] = {}
         self._slopes: dict[tuple[str, int], str | None] = {}
+
+    def function(self, names: Sequence[str], result: str, operations: Mapping[str, Any]) -> Callable[..., Any]:
+        """The function of variables and constants that gives ``result``. Its text holds names made here only."""
+        given = [f"{name} = {name[0]}[{name[1:]}]" for name in self.needed(names) if name[0] in "xc"]
+        return program("x, c", [*given, *self.lines(names), f"return {result}"], operations)
 
     def value(self, root: Expression) -> str:
         """The name of the value of an expression.
@@ -252,3 +261,16 @@ def _line(name: str, operation: str, operands: tuple[Any, ...]) -> str:
         case "power":
             return f"{name} = power({operands[0]}, {int(operands[1].p)}, {int(operands[1].q)})"
     return f"{name} = {operation}({operands[0]})"
+
+
+def program(arguments: str, lines: Iterable[str], operations: Mapping[str, Any]) -> Callable[..., Any]:
+    """The function with these lines, which may use the operations."""
+    space = dict(operations)
+    exec(_code("\n    ".join([f"def program({arguments}):", *lines])), space)
+    made: Callable[..., Any] = space["program"]
+    return made
+
+
+@lru_cache(_KEPT_TEXTS)
+def _code(text: str) -> CodeType:
+    return compile(text, "<straight-line program>", "exec")

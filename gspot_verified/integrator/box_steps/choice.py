@@ -77,24 +77,29 @@ def weights_for(rows: Sequence[Sequence[arb]]) -> tuple[list[float], float]:
     return w, norm
 
 
-def supersolution(rows: Sequence[Sequence[float]], start: Sequence[float], push: Sequence[float]) -> list[float]:
-    """z > 0 near the least one with z >= start and Mz + push <= σz, for a σ near the largest eigenvalue of M or 0.
+def supersolution(
+    rows: Sequence[Sequence[float]], starts: Sequence[Sequence[float]], pushes: Sequence[Sequence[float]]
+) -> list[list[float]]:
+    """For each start and push z > 0 near the least one with z >= start and Mz + push <= σz, for a σ near the largest
+    eigenvalue of M or 0.
 
     M has entries >= 0 off the diagonal: z = start + (σ - M)⁻¹ max(0, (M - σ) start + push).
     """
     import numpy as np
 
     size = len(rows)
-    matrix, r = np.array(rows), np.array(start)
+    matrix, r = np.array(rows), np.array(starts).T
+    none = [[1.0] * size for _ in starts]
     if not np.isfinite(matrix).all():
-        return [1.0] * size
+        return none
     shifted = (max(float(np.linalg.eigvals(matrix).real.max()), 0.0) + _SLACK) * np.eye(size) - matrix
     try:
-        more = np.linalg.solve(shifted, np.maximum(np.array(push) - np.dot(shifted, r), 0.0))
+        more = np.linalg.solve(shifted, np.maximum(np.array(pushes).T - np.dot(shifted, r), 0.0))
     except np.linalg.LinAlgError:
-        return [1.0] * size
+        return none
     solution = 1.001 * (r + np.maximum(more, 0.0))
-    return [float(value) for value in np.maximum(solution, _LEAST_SHARE * max(float(solution.max()), 1.0))]
+    found: list[list[float]] = np.maximum(solution, _LEAST_SHARE * np.maximum(solution.max(axis=0), 1.0)).T.tolist()
+    return found
 
 
 def limited_by_growth(h: float, norm: float, deviations: Sequence[arb]) -> float:

@@ -69,7 +69,7 @@ class VectorField:
                 f"[{', '.join('[' + ', '.join(name or 'zero' for name in entry) + ']' for entry in row)}]"
                 for row in table
             )
-            program = self._compiled["second"] = self._function(_REAL, names, f"[{shown}]")
+            program = self._compiled["second"] = self._code.function(names, f"[{shown}]", _REAL)
         derivatives: list[list[list[arb]]] = program(box, self._at_this_precision())
         return derivatives
 
@@ -140,16 +140,7 @@ class VectorField:
             names += [slope for row in self._rows for slope in row if slope is not None]
             rows = ", ".join(f"[{', '.join(slope or 'zero' for slope in row)}]" for row in self._rows)
             result = f"{result}, [{rows}]"
-        return self._function(space, names, result)
-
-    def _function(self, space: dict[str, Any], names: Sequence[str], result: str) -> Callable[..., Any]:
-        """The function of a state and the constants. Its text holds names made here only."""
-        given = [f"{name} = {name[0]}[{name[1:]}]" for name in self._code.needed(names) if name[0] in "xc"]
-        text = "\n    ".join(["def program(x, c):", *given, *self._code.lines(names), f"return {result}"])
-        names_in_force = dict(space)
-        exec(compile(text, "<vector field>", "exec"), names_in_force)
-        program: Callable[..., Any] = names_in_force["program"]
-        return program
+        return self._code.function(names, result, space)
 
     def _at_this_precision(self) -> list[arb]:
         bits = current_bits()

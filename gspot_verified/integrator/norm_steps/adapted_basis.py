@@ -51,19 +51,20 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
     zero = _ZERO * float(np.abs(values).max())
     columns: list[Matrix] = []
     blocks: list[int] = []
-    for cluster in _clusters(values, zero):
-        first = values[cluster[0]]
-        slow = float(np.abs(values[cluster]).max()) <= zero
+    found: list[complex] = values.tolist()
+    for cluster in _clusters(found, zero):
+        first = found[cluster[0]]
+        largest = max(abs(found[i]) for i in cluster)
+        slow = largest <= zero
         block: Matrix
         if len(cluster) == 1:
             block = vectors[:, cluster].real
-        elif len(cluster) == 2 and first.imag != 0 and first == np.conj(values[cluster[1]]):
+        elif len(cluster) == 2 and first.imag != 0 and first == found[cluster[1]].conjugate():
             block = np.stack([vectors[:, cluster[0]].real, vectors[:, cluster[0]].imag], axis=1)
         else:
             block = _subspace(matrix, values[cluster])
             if not slow:
                 inner: Matrix = np.array(np.linalg.lstsq(block, np.dot(matrix, block), rcond=None)[0], dtype=np.float64)
-                largest = float(np.abs(values[cluster]).max())
                 block = np.dot(block, _norm_of_lyapunov(inner, _CLOSE * largest))
         blocks += [1] * len(cluster) if slow else [len(cluster)]
         columns.append(block)
@@ -72,7 +73,7 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
         basis, blocks = np.eye(len(matrix)), [1] * len(matrix)
     basis = basis * scales[:, None]
     rate = float(values.real.max())
-    return AdaptedBasis([[float(entry) for entry in row] for row in basis], tuple(blocks), rate, tuple(values))
+    return AdaptedBasis(basis.tolist(), tuple(blocks), rate, tuple(found))
 
 
 def _balance(matrix: Matrix, least: float) -> NDArray[np.float64]:
@@ -152,15 +153,15 @@ def _growth(basis: AdaptedBasis, matrix: Matrix) -> float:
     return float(np.linalg.eigvals(norms).real.max())
 
 
-def _clusters(values: NDArray[np.complex128], zero: float) -> list[list[int]]:
+def _clusters(values: Sequence[complex], zero: float) -> list[list[int]]:
     """Groups of eigenvalues that are close, or conjugate."""
     size = len(values)
     label = list(range(size))
-    for i in range(size):
-        for j in range(i):
-            reach = _CLOSE * max(abs(values[i]), abs(values[j])) + zero
-            conjugate = values[i].imag != 0 and values[i] == np.conj(values[j])
-            if conjugate or abs(values[i] - values[j]) <= reach:
+    for i, value in enumerate(values):
+        for j, other in enumerate(values[:i]):
+            reach = _CLOSE * max(abs(value), abs(other)) + zero
+            conjugate = value.imag != 0 and value == other.conjugate()
+            if conjugate or abs(value - other) <= reach:
                 old, new = label[i], label[j]
                 label = [new if x == old else x for x in label]
     return [[i for i in range(size) if label[i] == name] for name in sorted(set(label))]

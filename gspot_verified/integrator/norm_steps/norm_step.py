@@ -150,10 +150,9 @@ def norm_step(
             return None
         rates = rates * (h * length)
         pushes = [length * d for d in pushes]
-        reach = _majorant(rates, radii.entries(), pushes)
+        reach, pushed = _majorants(rates, [radii.entries(), [arb(0)] * len(pushes)], pushes)
         if not all(value.is_finite() and value < limit for value in reach):
             return None
-        pushed = _majorant(rates, [arb(0)] * len(pushes), pushes)
         radii = arb_mat([[(a + b).upper()] for a, b in zip((rates.exp() * radii).entries(), pushed, strict=True)])
         for j, row in enumerate(rows):
             at = sum((a * b for a, b in zip(row, reach, strict=True)), arb(0))
@@ -248,13 +247,25 @@ def _logarithmic_norm(block: Sequence[Sequence[arb]]) -> arb:
     return nonfinite() if worst is None else worst
 
 
-def _majorant(rates: arb_mat, radii: Sequence[arb], pushes: Sequence[arb]) -> list[arb]:
-    """e^σ z with z > 0, z >= r, rates z + d <= σ z: what n(τ) cannot exceed on the piece. Not finite without such z."""
-    least = _largest([*radii, *pushes])
+def _majorants(rates: arb_mat, starts: Sequence[Sequence[arb]], pushes: Sequence[arb]) -> list[list[arb]]:
+    """For each start e^σ z as in :func:`_majorant`."""
     table = [[approximate(entry) for entry in row] for row in rates.table()]
-    scaled = [[approximate(value / least) for value in values] for values in (radii, pushes)]
-    z = [least * value for value in map(arb, supersolution(table, *scaled))]
-    z = [value.max(r.upper()) for value, r in zip(z, radii, strict=True)]
+    units = [_largest([*radii, *pushes]) for radii in starts]
+    scaled = [[approximate(r / least) for r in radii] for radii, least in zip(starts, units, strict=True)]
+    driven = [[approximate(d / least) for d in pushes] for least in units]
+    proposed = supersolution(table, scaled, driven)
+    return [
+        _majorant(rates, radii, pushes, [least * value for value in map(arb, z)])
+        for radii, least, z in zip(starts, units, proposed, strict=True)
+    ]
+
+
+def _majorant(rates: arb_mat, radii: Sequence[arb], pushes: Sequence[arb], proposed: Sequence[arb]) -> list[arb]:
+    """e^σ z with z > 0, z >= r, rates z + d <= σ z: what n(τ) cannot exceed on the piece. Not finite without such z.
+
+    ``proposed``: any numbers near such z.
+    """
+    z = [value.max(r.upper()) for value, r in zip(proposed, radii, strict=True)]
     if not all(value > 0 for value in z):
         return [nonfinite()] * len(z)
     column = (rates * arb_mat([[value] for value in z])).entries()

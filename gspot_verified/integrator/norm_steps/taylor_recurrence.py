@@ -13,7 +13,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.functions.straight_line import StraightLine
+from gspot_verified.functions.straight_line import StraightLine, program
 from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.numbers.balls import working_bits
 
@@ -73,12 +73,8 @@ class TaylorRecurrence:
             lines.append(f"    t = step * {_term(root)} // ((k + 1) << F)")
             lines += [f"    {name}.append(t)", f"    if t: l{name} = k + 1"]
         lines.append(f"return [{', '.join(states)}]")
-        space: dict[str, Any] = {
-            "convolution": _convolution, "weighted": _weighted, "first_of": _first, "isqrt": isqrt,
-        }  # fmt: skip
-        exec(compile("\n    ".join(["def program(x, c, order, step, F):", *lines]), "<recurrence>", "exec"), space)
-        program: Callable[..., Any] = space["program"]
-        return program
+        operations = {"convolution": _convolution, "weighted": _weighted, "first_of": _first, "isqrt": isqrt}
+        return program("x, c, order, step, F", lines, operations)
 
     def _coefficient(self, name: str) -> str:
         """Python text for the coefficient k of a value."""

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from gspot_verified.functions.expressions import Constant, Expression, Power, Sine, Variable
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.norm_steps.adapted_basis import adapted_basis
-from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, _majorant, norm_step
+from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, _majorants, norm_step
 from gspot_verified.numbers.balls import working_bits
 
 x, y = Variable(0), Variable(1)
@@ -298,7 +298,8 @@ def test_the_majorant_takes_the_upper_ends_of_what_it_is_given() -> None:
     wide, unit = arb(1, "0.5"), arb(1)
     with working_bits(64):
         for rate, radius, push in ((wide, unit, arb(0)), (unit, wide, arb(0)), (unit, unit, wide), (wide, wide, wide)):
-            [bound] = _majorant(arb_mat([[rate]]), [radius], [push])
-            a, r, d = (value.upper() for value in (rate, radius, push))
-            assert bound.is_finite()
-            assert bound >= (r * a.exp() + d * (a.exp() - 1) / a).lower()
+            bounds = _majorants(arb_mat([[rate]]), [[radius], [2 * radius]], [push])
+            for times, [bound] in enumerate(bounds, 1):
+                a, r, d = (value.upper() for value in (rate, times * radius, push))
+                assert bound.is_finite()
+                assert bound >= (r * a.exp() + d * (a.exp() - 1) / a).lower()

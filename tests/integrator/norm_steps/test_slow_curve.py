@@ -106,12 +106,14 @@ def test_a_spectral_basis_needs_a_gap() -> None:
 def test_a_supersolution() -> None:
     """z >= start and Mz + push <= σz for a small σ; a driven fast block is c r/m, not larger."""
     rows = [[0.0, 0.0], [30.0, -1000.0]]
-    found = supersolution(rows, [1.0, 0.0], [0.0, 0.0])
+    found, pushed = supersolution(rows, [[1.0, 0.0], [0.0, 0.0]], [[0.0, 0.0], [0.0, 1.0]])
     assert found[0] >= 1
     assert 0.03 <= found[1] < 0.04
-    for j in range(2):
-        assert sum(rows[j][k] * found[k] for k in range(2)) <= 0.26 * found[j]
-    assert all(value > 0 for value in supersolution([[float("nan")]], [1.0], [0.0]))
+    assert 0.001 <= pushed[1] < 0.002
+    for z, push in ((found, 0.0), (pushed, 1.0)):
+        for j in range(2):
+            assert sum(rows[j][k] * z[k] for k in range(2)) + j * push <= 0.26 * z[j]
+    assert all(value > 0 for [value] in supersolution([[float("nan")]], [[1.0]], [[0.0]]))
 
 
 @pytest.mark.parametrize(("below", "above"), [(0, 0), (3, 1), (1, 4), (11, 11)])
