@@ -197,6 +197,24 @@ def test_roots_and_powers_of_positive_balls() -> None:
     assert not power(arb.nan(), 1, 3).is_finite()
 
 
+def test_powers_below_one_are_powers_too() -> None:
+    with working_bits(64):
+        found = power(arb("0.25"), 3, 2)
+        assert found.is_finite()
+        assert found.contains(arb("0.125"))
+        assert found.rad() < arb("1e-15")
+
+
+def test_the_code_of_equal_texts_is_kept() -> None:
+    x = Variable(0)
+    first, second = (BoxProgram([x * x + Constant(fmpq(1, 3))], 1) for _ in range(2))
+    values = [program.values([arb(2)])[0] for program in (first, second)]
+    assert all(value.contains(arb(13) / 3) for value in values)
+    assert first._values.__code__ is second._values.__code__  # type: ignore[union-attr]
+    other = BoxProgram([x * x + Constant(fmpq(1, 7))], 1)  # the same text with other constants
+    assert other.values([arb(2)])[0].contains(arb(29) / 7)
+
+
 def test_what_is_computed_twice_is_one_value() -> None:
     code = StraightLine()
     one, other = (Sine(Sum((X, Y))) * Cosine(Sum((Y, X))) for _ in range(2))

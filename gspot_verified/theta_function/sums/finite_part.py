@@ -38,7 +38,7 @@ def near_integers(beta: Exact) -> range:
         center = ball(beta)
         lower = _whole((center - fmpq(1, 2)).lower().floor())
         upper = _whole((center + fmpq(1, 2)).upper().ceil())
-    return range(max(0, lower), upper + 1) if upper >= 0 else range(0)
+    return range(max(0, lower), upper + 1)
 
 
 def _whole(value: arb) -> int:

@@ -12,7 +12,7 @@ from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gspot_verified.mechanisms.fates.box_fate import Fate, Frame, _between, _height, _in_frame, _in_strip
+from gspot_verified.mechanisms.fates.box_fate import Fate, Frame, _between, _height, _in_frame, _in_strip, box_fate
 from gspot_verified.mechanisms.fates.reference import Reference
 from gspot_verified.mechanisms.fates.strip import Slice, Strip
 from gspot_verified.numbers.balls import hull, working_bits
@@ -235,3 +235,13 @@ def test_a_box_in_several_strips_has_a_fate_if_they_agree() -> None:
             replace(frame, last=arb("0.2495")),
         ):
             assert _in_frame(other, box, p, arb(1)).fate is Fate.UNDECIDED
+
+
+@pytest.mark.parametrize(("u", "surface", "slips"), [(2, 1, True), (2, 3, False), (-2, -3, True), (-2, -1, False)])
+def test_slip_is_counted_from_the_surface(u: int, surface: int, slips: bool) -> None:
+    plane, _ = model()
+    with working_bits(BITS):
+        states = [arb(0), arb(u), arb(0), arb(0), arb("0.5"), arb(-1)]
+        assert (box_fate(plane, (), states, arb(surface)).fate is not Fate.NO_SLIP) is slips
+        opened = box_fate(plane, (), [*states[:5], arb(1)], arb(surface)).fate
+        assert opened is (Fate.OPENS if slips else Fate.NO_SLIP)

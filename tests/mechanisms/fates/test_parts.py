@@ -56,6 +56,7 @@ def test_an_orbit_is_the_exact_solution(start: str, sign: int) -> None:
     found = orbit(start)
     with working_bits(BITS):
         assert found.sign == sign
+        assert found.end.overlaps(found.start * (-found.segments[-1].end_time).exp())
         for value in ("0.4375", "0.25", "0.0625"):
             p = arb(value)
             assert found.place(p).is_finite()

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import mpmath
+import pytest
 from flint import arb, fmpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
@@ -43,6 +45,23 @@ def test_integers_next_to_a_ball() -> None:
     assert 2 in integers_next_to(fmpq(7, 3))
     assert set(range(1, 5)) <= set(integers_next_to(arb(fmpq(5, 2), fmpq(3, 2))))
     assert 0 in integers_next_to(fmpq(-1, 2))
+
+
+@pytest.mark.parametrize("beta", ["-1/2", "-7/3"])
+@pytest.mark.parametrize(("tau", "cut"), [(-2, "1/2"), (3, "1"), (1, "5/4")])
+def test_the_part_is_the_integral_up_to_the_cut(tau: int, cut: str, beta: str) -> None:
+    b, c = Fraction(beta), Fraction(cut)
+    with mpmath.workdps(30):
+        exponent = -mpmath.mpf(b.numerator) / b.denominator
+        whole = mpmath.quad(
+            lambda r: r ** (exponent - 1) * mpmath.exp(tau * r - r**3 / 3), [0, mpmath.mpf(c.numerator) / c.denominator]
+        )
+        expected = arb(mpmath.nstr(whole * mpmath.rgamma(exponent), 25))
+    with working_bits(100):
+        found = series_part(fmpq(tau), to_fmpq(b), to_fmpq(c), 80, 100)
+        assert found.is_finite()
+        assert found.rad() < arb("1e-15")
+        assert abs(found - expected) < arb("1e-12")
 
 
 def test_finite_part_wants_a_certain_cut() -> None:
