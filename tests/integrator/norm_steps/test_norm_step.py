@@ -298,8 +298,9 @@ def test_the_majorant_takes_the_upper_ends_of_what_it_is_given() -> None:
     wide, unit = arb(1, "0.5"), arb(1)
     with working_bits(64):
         for rate, radius, push in ((wide, unit, arb(0)), (unit, wide, arb(0)), (unit, unit, wide), (wide, wide, wide)):
-            bounds = _majorants(arb_mat([[rate]]), [[radius], [2 * radius]], [push])
-            for times, [bound] in enumerate(bounds, 1):
-                a, r, d = (value.upper() for value in (rate, times * radius, push))
+            starts = [radius, 2 * radius]
+            bounds = _majorants(arb_mat([[rate]]), [[start] for start in starts], [push])
+            for start, [bound] in zip(starts, bounds, strict=True):
+                a, r, d = (value.upper() for value in (rate, start, push))
                 assert bound.is_finite()
                 assert bound >= (r * a.exp() + d * (a.exp() - 1) / a).lower()

@@ -9,7 +9,8 @@ from flint import arb, arb_mat
 
 from gspot_verified.integrator.box_steps.error_set import ErrorSet
 from gspot_verified.mechanisms.approach.capture import capture
-from gspot_verified.mechanisms.fates.trajectory_side import TrajectorySide
+from gspot_verified.mechanisms.approach.distinguished import FlowBounds
+from gspot_verified.mechanisms.fates.trajectory_side import TrajectorySide, trajectory_side
 from gspot_verified.numbers.balls import working_bits
 
 from .test_parts import BITS, model
@@ -78,3 +79,18 @@ def test_the_rest_of_the_trajectory_counts() -> None:
         power = p ** (side.order + 2)
         for share, expected in (("0.99", 1), ("1.01", None)):
             assert sign_of_set(replace(side, rest=arb(share) * (p / 8) / power), middle) == expected
+
+
+@pytest.mark.parametrize(("share", "holds"), [("0.999", True), ("1.001", False)])
+def test_how_far_slip_can_be_compared(monkeypatch: pytest.MonkeyPatch, share: str, holds: bool) -> None:
+    """(D4): r σ_2 e^(σ_1 P) P < β_- - 1, here with σ_1 P = log 2 and σ_2 = 1."""
+    plane, known = model()
+    with working_bits(BITS):
+        honest = FlowBounds.on(plane.flow.by_p(), known.region)
+        assert honest is not None
+        largest = arb(share) * honest.exponent.lower() / (2 * known.last)
+        bounds = replace(honest, S_state=arb(2).log() / known.last, S_force=arb(1), R_state=largest)
+        monkeypatch.setattr(FlowBounds, "on", lambda *_: bounds)
+        place = [arb(0), arb(0)]
+        side = trajectory_side(plane.flow, place, known.region, known.order, known.last, 4 * known.last, plane.p_and_b)
+        assert (side is not None) is holds
