@@ -251,6 +251,12 @@ def angle_ball(angle: ReferenceAngle) -> arb:
     return arb.atan2(arb(angle.sine), arb(angle.cosine))
 
 
+def counted_from_zero(mechanism: Mechanism, state: Sequence[arb]) -> list[arb]:
+    """The components of a shifted state with the reference angles added."""
+    references = {angle.coordinate: angle_ball(angle) for angle in mechanism.angles}
+    return [value + references.get(word, 0) for word, value in zip(mechanism.state, state, strict=True)]
+
+
 def to_system(
     shifted: Shifted, values: Mapping[str, Any], ring: Ring, conditions: Sequence[Expression], name: str | None = None
 ) -> System:

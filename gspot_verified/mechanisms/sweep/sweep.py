@@ -135,12 +135,12 @@ def _assembled(
     """The pieces that hold the continued spot are kept; of the others it is said that they may hold another."""
     own, order, store = patchwork.own(), patchwork.order(), patchwork.store
     store.unsay(number for number in order if not own[number])
-    folds: list[Fold] = []
+    mechanism, folds = question.mechanism, list[Fold]()
     if len(question.grid.axes) == 1:
         with working_bits(BITS):
-            order, folds = with_folds(system, question.equations(), store, order, own, question.digits)
+            order, found = with_folds(system, question.equations(), store, order, own, question.digits)
+            folds = [fold.counted_from_zero(mechanism) for fold in found]
         order = without_gaps(store, order)
-    mechanism = question.mechanism
     return Sweep(
         name=mechanism.name,
         axes=question.grid.axes,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import ClassVar
 
@@ -18,6 +18,8 @@ from flint import arb, fmpq
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.derivative import ONE, ZERO, lie_derivative, substitute
 from gspot_verified.functions.expressions import Expression, Variable
+from gspot_verified.mechanisms.derive.to_system import counted_from_zero
+from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem
 from gspot_verified.mechanisms.sweep.sweep_bracket import bracket
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
@@ -38,7 +40,7 @@ class Fold(NoTruthValue, Written):
     """Exactly one fold: at one value of the parameter in ``value``, the continued spot meets another one.
 
     ``opens`` = 1: both are there for larger values up to ``reach``, none of the two for smaller ones; -1: the other
-    way round. ``point`` encloses the state at the fold.
+    way round. ``point`` encloses the state at the fold; in the result of a sweep angles are counted from 0.
     """
 
     ask: ClassVar[str] = ".value encloses the parameter at the fold"
@@ -53,6 +55,11 @@ class Fold(NoTruthValue, Written):
         """The ends of ``value``."""
         lower, upper = self.value.endpoints()
         return fmpq(lower.numerator, lower.denominator), fmpq(upper.numerator, upper.denominator)
+
+    def counted_from_zero(self, mechanism: Mechanism) -> Fold:
+        """The same fold with the reference angles added to ``point``."""
+        state = counted_from_zero(mechanism, [value.to_ball() for _, value in self.point])
+        return replace(self, point=tuple(zip(mechanism.state, map(Dyadic.from_ball, state), strict=True)))
 
     def __str__(self) -> str:
         side = "larger" if self.opens > 0 else "smaller"

@@ -9,13 +9,11 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from flint import arb
-
 from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.approach.mechanism_side import mechanism_side
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
-from gspot_verified.mechanisms.derive.to_system import angle_ball
+from gspot_verified.mechanisms.derive.to_system import counted_from_zero
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, exact_rational, require_mechanism
 from gspot_verified.mechanisms.sweep.sweep_piece import interval
 from gspot_verified.mechanisms.table.approached_row import ApproachedRow
@@ -123,13 +121,9 @@ def _numbers(slip: Approach) -> Numbers:
 
 def _point(mechanism: Mechanism, slip: Approach) -> Numbers:
     """The G-spot that is reached, an angle with its reference; nothing known where none is."""
-    point: list[arb | None] = [*slip.spot] or [None] * len(mechanism.state)
     with working_bits(slip.bits):
-        for angle in mechanism.angles:
-            k = mechanism.state.index(angle.coordinate)
-            own = point[k]
-            point[k] = None if own is None else own + angle_ball(angle)
-    return tuple(zip(mechanism.state, map(interval, point), strict=True))
+        point = counted_from_zero(mechanism, slip.spot) if slip.spot else [None] * len(mechanism.state)
+        return tuple(zip(mechanism.state, map(interval, point), strict=True))
 
 
 def _refused(question: _Question, row: ParameterRow, reason: str) -> ApproachedRow:

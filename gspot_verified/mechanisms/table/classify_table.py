@@ -17,10 +17,8 @@ from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq
-
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
-from gspot_verified.mechanisms.derive.to_system import angle_ball
+from gspot_verified.mechanisms.derive.to_system import counted_from_zero
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, require_mechanism
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep.sweep_findings import findings
@@ -32,7 +30,7 @@ from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
 from gspot_verified.mechanisms.table.parameter_rows import ParameterRow, Row, parameter_rows
 from gspot_verified.mechanisms.table.row_search import Start, middle_of, searched
 from gspot_verified.mechanisms.table.table_work import Kept, answered_rows
-from gspot_verified.mechanisms.zeros.tube import Equations, OnTube
+from gspot_verified.mechanisms.zeros.tube import Equations
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.work.journal_file import JournalFile
 
@@ -146,7 +144,7 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
         on = trace.tube(equations, values, values, partial(searched, equations, question.start, values))
         if on is None:
             return _unknown(mechanism, row, "undecided", _NOT_FOUND)
-        facts = findings(on, {})
+        facts, point = findings(on, {}), counted_from_zero(mechanism, on.tube.zero_at(values))
         return ClassifiedRow(
             number=row.number,
             given=row.given,
@@ -156,7 +154,7 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
             impact_sign=facts.impact_sign,
             reason=f"not certain: {'; '.join(_said(name) for name in facts.unsure)}" if facts.unsure else "",
             numbers=tuple(zip(NUMBERS, facts.shown(), strict=True)),
-            point=tuple(zip(mechanism.state, map(interval, _point(mechanism, on, values)), strict=True)),
+            point=tuple(zip(mechanism.state, map(interval, point), strict=True)),
         )
 
 
@@ -177,12 +175,3 @@ def _unknown(mechanism: Mechanism, row: ParameterRow, outcome: str, reason: str)
 def _said(name: str) -> str:
     """What is not certain, in words."""
     return f"the sign of {name}" if name.startswith(("alpha", "beta -")) else name
-
-
-def _point(mechanism: Mechanism, on: OnTube, values: tuple[fmpq, ...]) -> list[arb]:
-    """The state in balls; an angle that is counted from a reference with that."""
-    point = on.tube.zero_at(values)
-    for angle in mechanism.angles:
-        k = mechanism.state.index(angle.coordinate)
-        point[k] = point[k] + angle_ball(angle)
-    return point

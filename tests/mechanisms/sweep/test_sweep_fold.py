@@ -45,6 +45,13 @@ def test_the_rod_has_its_fold_at_four_thirds(over: str) -> None:
             assert ends[1] - ends[0] < 1e-11
 
 
+def test_an_angle_at_a_fold_is_counted_from_zero() -> None:
+    """The rod's file counts its angle from one with the sine 3/5: at the fold tan θ = 2, not tan (θ - θ_ref)."""
+    (fold,) = sweep(shipped_mechanism("rod"), {"mu": "1.3..2.1:4"}).folds
+    assert dict(fold.point)["theta"].contains(Fraction(11071487177940905, 10**16))  # atan 2, to 16 digits
+    assert "theta = [1.1071487177" in str(fold)
+
+
 def test_the_pieces_behind_the_fold_say_so_and_no_more() -> None:
     result = sweep(shipped_mechanism(ROD), {"mu": "1.2..1.5:6"})
     first, second = result.pieces[:2]
