@@ -12,7 +12,7 @@ from random import Random
 
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.balls_as_numbers import to_fraction
-from attack.reference_motion import Model, Motion, Unsure, moved
+from attack.reference_motion import FLIGHT, Model, Motion, Unsure, moved
 from attack.reference_series import BITS
 
 from gspot_verified import Outcome
@@ -222,7 +222,7 @@ def _compared(asked: Question, found: SceneRun, motion: Motion) -> Answer:
     if trouble:
         return wrong(f"{trouble}\n{shown}")
     if "stick" not in asked.effects and "tangential_motion" in asked.effects and proved:
-        least = min(states[5] for states in _some_states(motion))
+        least = _least_slip(motion)
         if least < -Fraction(1, 10**6) and "condition" not in str(found.verdict):
             return wrong(f"stick is left out, proved, and u falls to {float(least)}\n{shown}")
     return AGREED if proved else undecided(f"{found.verdict.reason}: {found.verdict.detail.split('(t =')[0][:60]}")
@@ -233,15 +233,17 @@ _OFF = Fraction(1, 10**40)
 
 def _left_out(asked: Question, motion: Motion, shown: str) -> Answer:
     """Refuted: an effect that is left out matters. True where slip turns and stick is left out."""
-    least = min(states[5] for states in _some_states(motion))
+    least = _least_slip(motion)
     if "stick" not in asked.effects and "tangential_motion" in asked.effects and least <= 0:
         return AGREED
     return wrong(f"refuted, and the reference sees no reason\n{shown}")
 
 
-def _some_states(motion: Motion) -> list[list[Fraction]]:
+def _least_slip(motion: Motion) -> Fraction:
+    """The least u at some places in contact; 1 where there is none: in flight nothing is assumed of u."""
     step = Fraction(motion.end, 1 << BITS) / 200
-    return [motion.at(k * step)[1] for k in range(201)]
+    found = [motion.at(k * step) for k in range(201)]
+    return min((states[5] for phase, states in found if phase != FLIGHT), default=Fraction(1))
 
 
 def _trajectory(found: SceneRun, motion: Motion, epsilon: Fraction) -> str:

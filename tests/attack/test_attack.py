@@ -87,6 +87,12 @@ def test_the_package_agrees_with_the_references(kind: str, number: int) -> None:
     assert answer.tally is not Tally.WRONG, f"{question}\n{answer.detail}"
 
 
+def test_slip_that_turns_in_flight_is_no_matter() -> None:
+    """The run begins in flight, so nothing is assumed of u, which falls; without `stick` the answer is right."""
+    question, answer = answered(draw_of("motion"), "motion", "26110", 21)
+    assert answer.tally is Tally.AGREED, f"{question}\n{answer.detail}"
+
+
 def test_every_kind_has_its_part_in_the_slice() -> None:
     assert tuple(SLICE) == KINDS
 
