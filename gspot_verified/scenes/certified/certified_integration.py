@@ -202,7 +202,7 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
         if at_zero is None:
             return record
         began, phase = start[CLOCK], phases[now.phase]
-        record.seen = began
+        record.seen, record.phase = began, now.phase
         observer: Observer = _ImpactObserver(phase, began, end, scene, record)
         observer = _ConditionObserver(observer, conditions, phases, now.phase, began, end, record)
         if samples is not None:

@@ -17,6 +17,7 @@ from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 from gspot_verified.scenes.certified.certified_phase import Open
 from gspot_verified.scenes.certified.conditions import Conditions
 from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth
+from gspot_verified.scenes.equations.terms import SLIP
 from gspot_verified.scenes.scene.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
 from gspot_verified.scenes.scene.run import CERTIFIED, NO_EVENT, OPEN, REFUTED, RunEvent, SceneRun, fate_of
 from gspot_verified.scenes.scene.scene import Scene
@@ -31,6 +32,7 @@ class Record:
     ``violated``: the effect whose absence is wrong, when, and what was compared. ``seen``: up to when those that are
     watched hold. ``shown``: the evidence of each event; ``ended``: that of the end of the run, None where it was not
     reached. ``stopped``: when λ_N had certainly passed the scene's ``stop_at_force``, if that ended the run.
+    ``phase``: the last one.
     """
 
     events: list[RunEvent] = field(default_factory=list)
@@ -43,6 +45,7 @@ class Record:
     shown: list[Evidence] = field(default_factory=list)
     ended: Evidence | None = None
     stopped: arb | None = None
+    phase: str = SLIP
 
     @property
     def evidence(self) -> Evidence | None:
@@ -63,9 +66,10 @@ def growth_words(growth: ExponentialGrowth, sticks: bool, since: arb | None) -> 
     return f"{lasting}, which ends within {rounded_text(float_bounds(growth.within)[1], 1)} ε"
 
 
-def statement(fate: str, span: str, multiples: Sequence[int | None] = ()) -> str:
+def statement(fate: str, span: str, multiples: Sequence[int | None] = (), phase: str = SLIP) -> str:
     """What is proved. An impact without collision that no cone shows is not excluded, so "no event" would be too much;
-    and where a cone shows the growth of λ_N up to a multiple only, the multiple is part of the statement.
+    and where a cone shows the growth of λ_N up to a multiple only, the multiple is part of the statement. ``phase`` is
+    the last one: where it is the only one and not slip, it is named.
 
     >>> statement("lift-off", " until t = 1 after the start")
     'lift-off until t = 1 after the start, and no other change of phase'
@@ -73,7 +77,7 @@ def statement(fate: str, span: str, multiples: Sequence[int | None] = ()) -> str
     'impact without collision (λ_N grows 8-fold, or slip or stick ends), and no other change of phase'
     """
     if fate == NO_EVENT:
-        return f"no change of phase{span}"
+        return f"no change of phase{span}" if phase == SLIP else f"{phase} from the start on, no change of phase{span}"
     known = [multiple for multiple in multiples if multiple is not None]
     limit = f" (λ_N grows {min(known)}-fold, or slip or stick ends)" if known else ""
     return f"{fate}{limit}{span}, and no other change of phase"
@@ -141,7 +145,7 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
         return SceneRun(CERTIFIED, REFUTED, events, verdict, assumptions=assumptions)
     if record.open is None:
         fate = fate_of(names)
-        said = statement(fate, span, record.multiples) + provided(assumptions)
+        said = statement(fate, span, record.multiples, record.phase) + provided(assumptions)
         return SceneRun(
             CERTIFIED, fate, events, Verdict.proved(said, record.evidence, remarks), assumptions=assumptions
         )

@@ -119,6 +119,21 @@ def test_an_absence_that_is_right_is_checked(effects: tuple[str, ...], checked: 
     assert "checked along the whole run" in str(run)
 
 
+@pytest.mark.parametrize(
+    ("start", "push", "phase"),
+    [
+        ({"y": "1/10", "v": "0", "z": "0", "X_dot": "1"}, "0", "flight"),
+        ({"y": "-1/50", "v": "0", "z": "-1/100", "X_dot": "0"}, "0", "stick"),
+        ({"X_dot": "0"}, "-1/2", "reverse slip"),
+    ],
+)
+def test_a_run_without_events_that_is_no_slip_says_what_it_is(start: dict[str, str], push: str, phase: str) -> None:
+    """The first is above the surface: "no change of phase" alone reads as contact. The last is at rest at the start,
+    but friction does not hold it."""
+    run = integrated_run(scene(block(push=push), (1, 16), (*TANGENTIAL, "stick"), **start))
+    assert run.verdict.statement == f"{phase} from the start on, no change of phase until t = 1/16 after the start"
+
+
 def test_the_force_is_followed_too() -> None:
     run = integrated_run(scene(block(), (1, 2), ("compliant_contact",), X_dot="2"))
     assert standing(run) == {"lift_off": CHECKED, "tangential_motion": CHECKED}
