@@ -339,6 +339,19 @@ def test_what_was_set_is_in_the_text(capsys: pytest.CaptureFixture[str]) -> None
     assert "\n  with k_1 = 1, k_2 = 1, damping = 1, alpha_1 = -1, alpha_2 = -1, beta = 5/2\n" in output
 
 
+def test_the_note_on_the_compliance_is_that_of_the_run(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """The file of the mechanism has k_1 = 2: the note said so beside a run with another one, too."""
+    text = shipped_text("falling rod").replace("[drawing]", "[regularisation]\nk_1 = 2\n\n[drawing]")
+    (tmp_path / "soft.toml").write_text(text, encoding="utf-8")
+    words = ["simulate", str(tmp_path / "soft.toml"), "--spot", "1", "--float", "--eps", "1/10", "--until", "1/100"]
+    assert main(words) == 2
+    assert "\n  note: compliance k_1 = 2/epsilon^2, k_2" in capsys.readouterr().out
+    assert main([*words, "--set", "k_1=5"]) == 2
+    assert "\n  note: compliance k_1 = 5/epsilon^2, k_2" in capsys.readouterr().out
+    assert main([*words, "--set", "k_1=1"]) == 2
+    assert "note: compliance" not in capsys.readouterr().out
+
+
 def test_it_is_said_which_way_u_and_a_belt_count(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     """The falling rod to the left: as the mirrored mechanism slips forwards, a belt moves against the x of the file."""
     text = shipped_text("falling rod").replace('"X + l*cos(theta)"\n', '"X - l*cos(theta)"\nslip = "negative"\n')

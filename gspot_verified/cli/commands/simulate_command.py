@@ -306,8 +306,15 @@ def _moving(scene: Scene) -> str:
 
 
 def _notes(scene: Scene) -> tuple[str, ...]:
-    """How the mechanism was read: which way u, x and the velocity of a belt count."""
-    return () if scene.mechanism is None else scene.mechanism.notes
+    """How the mechanism was read: which way u, x and the velocity of a belt count, and the scene's own compliance."""
+    from dataclasses import replace
+
+    from gspot_verified.expansion.series.regularisation import Regularisation
+
+    if scene.mechanism is None:
+        return ()
+    springs = Regularisation(*(scene.values()[name] for name in ("k_1", "k_2", "damping")))
+    return replace(scene.mechanism, regularisation=springs).notes
 
 
 def _start(scene: Scene) -> dict[str, fmpq | arb]:
