@@ -14,8 +14,9 @@ from gspot_verified.numbers.balls import ExactInput
 def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechanism:
     """The mechanism in a TOML file or, where there is no such file, the one of the package with that name.
 
-    ``parameters`` replace values of the file; None makes a parameter a symbol. Names of the package: model, extended,
-    oscillator, rod, and those of :func:`gspot_verified.mechanisms.shipped.shipped_names`.
+    ``parameters`` replace values of the file, and the name says so; None makes a parameter a symbol. Names of the
+    package: model, extended, oscillator, rod, and those of
+    :func:`gspot_verified.mechanisms.shipped.shipped_names`.
 
     :raises MechanismError: neither a file nor a name, the file of a robot, a part of the file is wrong, there is no
         such parameter, or no mechanism is like that: a friction coefficient or a mass below 0, a mass matrix that is
@@ -24,14 +25,14 @@ def load(name_or_path: str | Path, /, **parameters: ExactInput | None) -> Mechan
     >>> load("rod").state
     ('X', 'Y', 'theta', 'X_dot', 'Y_dot', 'theta_dot')
     >>> load("extended", chi="1/2").name
-    'extended system'
+    'extended system, chi = 1/2'
     """
     text, origin = mechanism_text(name_or_path)
     try:
         mechanism = parse_mechanism(text)
     except MechanismError as error:
         raise MechanismError(f"{origin}: {error}") from None
-    mechanism = mechanism.with_parameters(**parameters)
+    mechanism = mechanism.changed(**parameters)
     try:
         refuse_impossible(mechanism)
     except MechanismError as error:

@@ -334,6 +334,11 @@ def test_what_was_set_is_in_the_text(capsys: pytest.CaptureFixture[str]) -> None
     assert "\n  with k_1 = 1, k_2 = 1, damping = 1, belt_velocity = -1/2\n" in output
     assert main([*words, "--json"]) == 2
     assert json.loads(capsys.readouterr().out)["scene"]["name"] == "rod, mu = 3/2"
+    assert main([*words, "--set", f"m={'1' * 40}/{'1' * 39}2", "--set", "l=1.23456", "--json"]) == 2
+    name = json.loads(capsys.readouterr().out)["scene"]["name"]
+    assert name == f"rod, m = {'1' * 40}/{'1' * 39}2, l = 1.23456, mu = 3/2"  # no value is cut off
+    assert main(["simulate", "rod", "--spot", "1", "--float", "--until", "1/1000", "--set", "mu=2"]) == 2
+    assert "\n  slip before falling rod, mu = 2, G-spot 1, ε = " in capsys.readouterr().out
     assert main(["simulate", "fig-varsim1", "--float", "--eps", "1/10", "--until", "1/10", "--beta", "5/2"]) == 2
     output = capsys.readouterr().out
     assert "\n  with k_1 = 1, k_2 = 1, damping = 1, alpha_1 = -1, alpha_2 = -1, beta = 5/2\n" in output

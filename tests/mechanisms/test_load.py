@@ -25,8 +25,14 @@ def test_a_file_and_values_for_its_parameters(tmp_path: Path) -> None:
     own = tmp_path / "own.toml"
     own.write_text(DATA.joinpath("extended_system.toml").read_text(encoding="utf-8"), encoding="utf-8")
     assert load(own) == load(str(own)) == load("extended")
-    assert load(own, chi="1/2") == load("extended").with_parameters(chi="1/2")
+    assert load(own, chi="1/2") == load("extended").changed(chi="1/2")
     assert dict(load(own, chi=None).parameters)["chi"] is None
+
+
+def test_the_name_says_which_values_are_others() -> None:
+    """Statements begin with the name: with mu = 3/2 they are not on the rod of the file."""
+    assert load("rod", m="1.0", mu="1.5", g=2).name == "falling rod, g = 2, mu = 3/2"
+    assert load("extended", chi=None).name == "extended system"
 
 
 def test_a_file_without_a_suffix_comes_before_a_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -92,4 +98,4 @@ def test_a_wrong_file_is_refused_with_its_place(tmp_path: Path) -> None:
 def test_a_mechanism_that_no_mechanism_is_like_is_refused(friction: str) -> None:
     with pytest.raises(MechanismError, match=r"^genot_brogliato_rod: "):
         load("genot_brogliato_rod", mu=friction)
-    assert load("genot_brogliato_rod", mu=0).name == load("genot_brogliato_rod").name
+    assert load("genot_brogliato_rod", mu=0).name == f"{load('genot_brogliato_rod').name}, mu = 0"

@@ -275,7 +275,7 @@ def _before(name: str, spot: int, given: dict[str, str]) -> Scene:
     mechanism = load(name)
     parameters = [name for name, _ in mechanism.parameters if name not in OF_EVERY_SCENE]
     own = {name: given.pop(name) for name in parameters if name in given}
-    return scene_before_spot(mechanism.with_parameters(**own), spot)
+    return scene_before_spot(mechanism.changed(**own), spot)
 
 
 def _given(words: list[str], **options: str | None) -> dict[str, str]:

@@ -7,6 +7,8 @@ Formulas are expressions: component i of the state is ``Variable(i)``, parameter
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +20,7 @@ from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.formulas.rewriting import replaced
-from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant
+from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant, rational_value
 from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
 from gspot_verified.mechanisms.input.planar_links import PlanarLinks
 from gspot_verified.numbers.balls import ExactInput, exact
@@ -153,6 +155,17 @@ class Mechanism(Shown):
         changed.check_assumed()
         return changed
 
+    def changed(self, **values: ExactInput | None) -> Mechanism:
+        """As :meth:`with_parameters`; the name says which values are others.
+
+        >>> from gspot_verified.mechanisms.load import load
+        >>> load("rod").changed(mu=2, m=1).changed(mu="1.5").name
+        'falling rod, mu = 3/2'
+        """
+        before, other = dict(self.parameters), self.with_parameters(**values)
+        numbers = {word: rational_value(value) for word, value in other.parameters if value and value != before[word]}
+        return replace(other, name=name_with(self.name, {word: str(number) for word, number in numbers.items()}))
+
     def check_assumed(self) -> None:
         """What formulas were simplified under holds for the values that parameters have.
 
@@ -214,6 +227,17 @@ class Mechanism(Shown):
         import sympy
 
         return tuple(sympy.Symbol(name) for name in self.state)
+
+
+def name_with(name: str, values: Mapping[str, str]) -> str:
+    """A name and the values that are others than those it stands for; of a value nothing is cut off.
+
+    >>> name_with("rod, mu = 2", {"mu": "3/2", "m": "5"})
+    'rod, mu = 3/2, m = 5'
+    """
+    for word, value in values.items():
+        name = re.sub(rf", {re.escape(word)} = [^,]*", "", name) + f", {word} = {value}"
+    return name
 
 
 def exact_rational(value: ExactInput, name: str) -> fmpq:

@@ -69,7 +69,7 @@ def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
         if start is None:
             continue
         scene = Scene(
-            name=f"slip before {where}"[:80],
+            name=f"slip before {where}",
             effects=ON_A_SURFACE_AT_REST if slip > 0 else ON_A_BELT,
             epsilon=EPSILON,
             until=_until(found, share),

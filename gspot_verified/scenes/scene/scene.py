@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -13,7 +12,7 @@ from gspot_verified.functions.derivative import powers_as_products
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.formulas.names import nearest
-from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.input.mechanism import Mechanism, name_with
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.numbers.written import Shown
 from gspot_verified.scenes.effects.catalogue import EFFECTS, OUTSIDE
@@ -316,7 +315,7 @@ class Scene(Shown):
             return changed
         before, after = dict(self.mechanism.parameters), dict(changed.mechanism.parameters)
         others = [word for word in after if after[word] != before[word]]
-        return replace(changed, name=_name_with(self.name, {word: str(settings[word]) for word in others}))
+        return replace(changed, name=name_with(self.name, {word: str(settings[word]) for word in others}))
 
     def _with(
         self, effects: tuple[str, ...], defaults: Mapping[str, fmpq], settings: Mapping[str, ExactInput | None]
@@ -380,12 +379,6 @@ class Scene(Shown):
         if self.mechanism is None:
             return START_KEYS
         return tuple(dict.fromkeys((*self.mechanism.state, "y", "v", "z")))
-
-
-def _name_with(name: str, values: Mapping[str, str]) -> str:
-    for word, value in values.items():
-        name = re.sub(rf", {re.escape(word)} = [^,]*", "", name)[:60] + f", {word} = {value}"
-    return name[:80]
 
 
 def checked_start(value: object) -> bool:

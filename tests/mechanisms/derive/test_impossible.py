@@ -61,7 +61,7 @@ def test_the_message_names_the_file(tmp_path: Path) -> None:
     path.write_text((DATA / "falling_rod.toml").read_text("utf-8").replace("m = 1\n", "m = -2\n"), encoding="utf-8")
     with pytest.raises(MechanismError, match=rf"^{path}: falling rod: the mass m is -2"):
         load(path)
-    assert load(path, m=2).name == "falling rod"
+    assert load(path, m=2).name == "falling rod, m = 2"
 
 
 def block(matrix: list[list[Any]], mu: Any = 1, place: dict[str, Any] | None = None, **options: Any) -> Mechanism:
