@@ -39,6 +39,7 @@ _SHORT_PIECE = fmpq(1, 10**6)  # of the range: a shorter piece next to a fold co
 _IN_FLIGHT = 32  # portions that are being written, each some hundred kB
 _SUMMARY = "name parameters=axes start=start_values spot verdict crossings notes warnings folds"
 _UNKNOWN = (Kind.OPEN, Kind.NO_TUBE)
+_OF_ALL = (Kind.SETTLED, Kind.BEYOND)  # what is said of a piece holds for every value in it
 
 
 @dataclass(frozen=True, slots=True)
@@ -258,7 +259,7 @@ class Sweep(NoTruthValue, Written):
         if len(self.axes) == 1:
             name = self.axes[0].name
             lines += [
-                f"  {name} in {_bracket(lower, upper)}: {_piece_text(piece)}"
+                f"  {name} in {(_inner if piece.kind in _OF_ALL else _bracket)(lower, upper)}: {_piece_text(piece)}"
                 for lower, upper, piece in self.stretches()
                 if piece.passing is None
             ]
@@ -383,6 +384,13 @@ def _bounds(number: Dyadic | None) -> tuple[str, str]:
 def _bracket(lower: fmpq, upper: fmpq) -> str:
     """The range in decimals where its ends are long, rounded outward."""
     return f"[{_decimal(lower, -1)}, {_decimal(upper, 1)}]"
+
+
+def _inner(lower: fmpq, upper: fmpq) -> str:
+    """The same rounded inward, where something holds for every value; exactly where little would be left."""
+    if upper - lower < fmpq(2, 10**_DECIMALS):
+        return f"[{lower}, {upper}]"
+    return f"[{_decimal(lower, 1)}, {_decimal(upper, -1)}]"
 
 
 def _decimal(value: fmpq, direction: int) -> str:

@@ -21,6 +21,7 @@ from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_findings import equations
 from gspot_verified.mechanisms.sweep.sweep_fold import _on_curve, _widened, fold_next_to, turned
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
+from gspot_verified.mechanisms.sweep.sweep_result import _inner
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import OnTube, Tube
 from gspot_verified.numbers.balls import working_bits
@@ -62,6 +63,26 @@ def test_the_pieces_behind_the_fold_say_so_and_no_more() -> None:
     assert first.case is second.case is None
     assert all(piece.lower[0] > fmpq(4, 3) for piece in result.pieces[2:])
     assert result.at(mu="1.3").kind is Kind.BEYOND
+
+
+def test_what_a_text_says_of_a_range_holds_in_all_of_it() -> None:
+    """Its ends are rounded: "no more" up to 1.3333333333333334 would hold of values above the fold at 4/3, too."""
+    result = sweep(shipped_mechanism(ROD), {"mu": "1.2..2:16"})
+    lines = str(result).splitlines()
+    (gone,) = [line for line in lines if "the continued spot is no more" in line]
+    assert gone.startswith("  mu in [6/5, 1.3333333333333333]: ")
+    settled = [range_ for *range_, piece in result.stretches() if piece.kind is Kind.SETTLED]
+    shown = [line.partition(" in [")[2].partition("]")[0].split(", ") for line in lines if "Case" in line][-2:]
+    assert len(settled) == len(shown)
+    for (lower, upper), (left, right) in zip(settled, shown, strict=True):
+        assert lower <= fmpq(Fraction(left).numerator, Fraction(left).denominator)
+        assert fmpq(Fraction(right).numerator, Fraction(right).denominator) <= upper
+
+
+def test_a_range_too_short_to_be_rounded_inward_is_exact() -> None:
+    third = fmpq(1, 3)
+    assert _inner(third, third + fmpq(1, 10**16)) == f"[1/3, {third + fmpq(1, 10**16)}]"
+    assert _inner(third + fmpq(1, 10**13), fmpq(2, 3) + fmpq(1, 10**13)) == "[0.3333333333334334, 0.6666666666667666]"
 
 
 @pytest.mark.parametrize(
