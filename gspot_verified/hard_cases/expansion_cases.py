@@ -29,7 +29,7 @@ from gspot_verified.hard_cases.hard_case import (
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.shipped import shipped_system
-from gspot_verified.numbers.balls import approximate, ball_text, working_bits
+from gspot_verified.numbers.balls import ball_text, float_bounds, rounded_text, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.theta_function.value.integer import polynomial
@@ -251,7 +251,7 @@ def past_the_g_spot(end: int) -> HardCase:
     """Whether that is proved for all delta up to 1/20: 1 where it is; the constant of p is shown."""
     bound, seconds = timed(lambda: bound_until(end))
     proved = bound.verdict.outcome is Outcome.PROVED
-    text = f"|Δp| ≤ {approximate(bound.constants['p'].upper()):.4g} δ^6" if proved else "undecided"
+    text = f"|Δp| ≤ {rounded_text(float_bounds(bound.constants['p'])[1], 1, 4)} δ^6" if proved else "undecided"
     asked = f"the distance from the expansion up to s = {end}, 0 < δ ≤ 1/20"
     return HardCase(
         level=end,

@@ -18,7 +18,7 @@ from gspot_verified.compliant.contact.to_the_left import positive_to_the_left
 from gspot_verified.compliant.slow.profile import SLOW, Profile, in_range
 from gspot_verified.leading_order.iwc import IwcResult, force_statement
 from gspot_verified.leading_order.stretches import stretches
-from gspot_verified.numbers.balls import approximate, working_bits
+from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import every, less, theorem
 from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
@@ -57,7 +57,7 @@ class SlowManifold(NoTruthValue, Written):
         if exact is not None and exact.lower is not None and exact.upper is not None and exact.place is not None:
             lines.append(
                 f"  the largest ε0 possible lies in [{short_text(exact.lower)}, {short_text(exact.upper)}]: "
-                f"at the upper end λ_N < 0 at τ = {approximate(exact.place):.6g}"
+                f"at the upper end λ_N < 0 at τ = {short_text(exact.place)}"
             )
         if self.start is not None and self.whole_line and self.verdict.outcome is Outcome.PROVED:
             lines.append(f"  it holds for every τ < {self.start} as well")

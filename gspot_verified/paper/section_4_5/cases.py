@@ -12,7 +12,7 @@ from dataclasses import replace
 from flint import arb, fmpq
 
 from gspot_verified.leading_order.iwc import leading_order_iwc
-from gspot_verified.numbers.balls import approximate, sign_of, working_bits
+from gspot_verified.numbers.balls import float_bounds, rounded_text, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.appendix_a import hypergeometric as appendix
 from gspot_verified.paper.appendix_a.theta_pages import IWC, SIGNS_INTEGRAL, SIGNS_RIGHT
@@ -221,7 +221,7 @@ def _other_side() -> Entry:
             "certified minimum of C_1 dΘ/dτ on [-10, ∞) from all its critical points, at five values of β; "
             "α_1 = α_2 = -1, |C_1| = 1",
             all_of([holds, *(same_sign(side, 1) for side in sides)]) if len(bounds) == len(results) else None,
-            "; ".join(f"β = {beta}: ε_0 >= {approximate(bound):.4g}" for beta, bound in bounds.items()),
+            "; ".join(f"β = {b}: ε_0 >= {rounded_text(float_bounds(arb(e))[0], -1, 4)}" for b, e in bounds.items()),
         ),
         note='The paper: "we are in the same situation as in above where there is strong evidence that an IWC occurs". '
         "ε_0 depends on τ_0 for odd ⌊β⌋: C_1 dΘ/dτ → −∞ as τ → −∞. For the compliant model: C-iwc-case-III.",

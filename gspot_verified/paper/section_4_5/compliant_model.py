@@ -18,7 +18,15 @@ from gspot_verified.compliant.slow.epsilon_series import series_coefficients
 from gspot_verified.leading_order.contact_force import ContactForce, contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.leading_order.lift_off import lift_off
-from gspot_verified.numbers.balls import approximate, certainly_less, nonfinite, sign_of, working_bits
+from gspot_verified.numbers.balls import (
+    approximate,
+    certainly_less,
+    float_bounds,
+    nonfinite,
+    rounded_text,
+    sign_of,
+    working_bits,
+)
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.closed_forms import ClosedForm
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
@@ -186,7 +194,7 @@ def _case_three() -> Entry:
         tried = [slow_force(leading.force, tau, exact.lower * BELOW) for tau in (START, exact.place)]
         answers += [same_sign(sign_of(value), 1) for value in tried]
         answers += [True if exact.lower >= leading.epsilon_0 else None, _side_at("C-iwc-case-III", leading.force, 1)]
-        shown.append(f"β = {beta}: ε_0 >= {approximate(exact.lower):.4g}")
+        shown.append(f"β = {beta}: ε_0 >= {rounded_text(float_bounds(arb(exact.lower))[0], -1, 4)}")
     return settled(
         SECTION,
         "C-iwc-case-III",

@@ -17,7 +17,15 @@ from gspot_verified.expansion.true_solutions.slow_deviation import slow_deviatio
 from gspot_verified.expansion.true_solutions.track import track
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.numbers.balls import add_remainder, approximate, certainly_less, exact, working_bits
+from gspot_verified.numbers.balls import (
+    add_remainder,
+    approximate,
+    certainly_less,
+    exact,
+    float_bounds,
+    rounded_text,
+    working_bits,
+)
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.section_6.section_6_runs import BETA, EPSILON, FLOATS, SECTION, number, simulated, slip
 from gspot_verified.scenes.floats.float_run import float_run
@@ -82,8 +90,8 @@ def fits() -> bool | None:
 def widest() -> str:
     """The largest distance from 1."""
     with working_bits(BITS):
-        found = [approximate(abs(ratio - 1).upper()) for ratio in ratios().values()]
-    return f"at most {max(found):.2g} at {len(found)} places of s" if found else "it was not followed"
+        found = [float_bounds(abs(ratio - 1))[1] for ratio in ratios().values()]
+    return f"at most {rounded_text(max(found), 1, 2)} at {len(found)} places of s" if found else "it was not followed"
 
 
 def _places() -> str:
@@ -188,7 +196,7 @@ def _order_15() -> Entry:
             Rung.EXACT,
             "the coefficients of the difference, as a polynomial in t and ε, in exact rationals",
             all_of([difference() < DIFFERENCE, covers_the_drawing()]),
-            f"at most {approximate(difference()):.3g}",
+            f"at most {rounded_text(float_bounds(arb(difference()))[1], 1)}",
         ),
         Check(
             Rung.POINTS,

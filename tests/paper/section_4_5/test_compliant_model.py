@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -183,3 +185,11 @@ def test_forces_that_are_not_the_factor_times_the_integral_are_refused() -> None
             assert check(force, near, epsilon)
     with pytest.raises(ValueError, match="zip"):
         check(force, values[:2], epsilon)
+
+
+def test_no_more_is_said_of_epsilon_0_than_was_found() -> None:
+    """Rounded to the nearest four digits it was above the largest one that there is, which is below these numbers."""
+    said = dict(re.findall(r"β = (\S+): ε_0 >= ([0-9.]+)", " ".join(c.finding for c in ledger._case_three().checks)))
+    assert said == {"3/2": "0.1788", "5/2": "0.8948", "7/2": "0.01289"}
+    for beta, most in (("3/2", "0.17882126"), ("5/2", "0.89488137"), ("7/2", "0.012899083")):
+        assert Fraction(said[beta]) < Fraction(most)
