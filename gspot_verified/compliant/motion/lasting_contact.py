@@ -8,7 +8,7 @@ from __future__ import annotations
 from gspot_verified.compliant.model.flight import ContactState
 from gspot_verified.compliant.motion.growth_choice import LAGS, growth_rates
 from gspot_verified.compliant.motion.growth_set import in_fast_set, in_monotone_set, in_slow_set
-from gspot_verified.numbers.balls import approximate, ball_text, working_bits
+from gspot_verified.numbers.balls import approximate, ball_text, rounded_text, working_bits
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Reason, Verdict
 
@@ -28,7 +28,7 @@ def lasting_contact(state: ContactState, bits: int = 128) -> Verdict:
             detail = "every derivative of λ in question has one sign (β < 1)"
             return Verdict.proved(TEXT, every([beyond, inside]), detail)
         for rate in growth_rates(state):
-            shown = f"a = {approximate(rate):.4g}"
+            shown = f"a = {rounded_text(approximate(rate), -1, 4)}"  # λ grows at least so fast
             if (inside := in_fast_set(state, rate)) is not None:
                 return Verdict.proved(TEXT, every([beyond, inside]), f"invariant set with rate {shown}")
             for lag in LAGS:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
@@ -156,3 +157,13 @@ def test_the_accuracy_that_is_not_asked_for_is_enough() -> None:
     near = state(fmpq(1, 2), fmpq(1, 3), fmpq(1), fmpq(1), fmpq(1), TINY)
     assert lasting_contact(near).outcome is Outcome.PROVED
     assert lasting_contact(near, 20).outcome is Outcome.UNDECIDED
+
+
+def test_the_rate_is_rounded_down(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It says how fast the force grows at least."""
+    rate = next(rate for rate in module.growth_rates(FAST) if in_fast_set(FAST, rate) is not None)
+    for more in (0, 1, 2, 3, 5, 7):
+        tried = rate * (1 + fmpq(more, 7919))
+        monkeypatch.setattr(module, "growth_rates", lambda _, tried=tried: [tried])
+        shown = lasting_contact(FAST).detail.rpartition(" ")[2]
+        assert tried * fmpq(999, 1000) < fmpq(Fraction(shown).numerator, Fraction(shown).denominator) <= tried
