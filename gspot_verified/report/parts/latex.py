@@ -215,8 +215,8 @@ def _prose(text: str, number: Callable[[str], str | None]) -> str:
         label = number(match[2])
         if label is None:
             return f"[{match[2]}]"
-        bare = label.rpartition(" ")[2]
-        return bare if bare.startswith("(") or match[1] == "ref" else f"({bare})"
+        bare = label.rpartition(" ")[2].strip("()")
+        return bare if match[1] == "ref" else f"({bare})"
 
     text = re.sub(r"\\(eqref|eq|ref|autoref)\{([^}]*)\}", reference, text)
     text = re.sub(r"\\'\{?e\}?", "é", text).replace("``", "“").replace("''", "”").replace("~", "\u00a0")

@@ -111,6 +111,8 @@ def test_prose_that_is_not_known_is_refused(source):
 def test_references_become_printed_numbers():
     shown = latex_html(r"By \eqref{eq:btau} and Theorem~\ref{th:3}, not \eqref{eq:nowhere}.", number)
     assert shown == "<p>By (A.1) and Theorem\u00a04, not [eq:nowhere].</p>"
+    bare = latex_html(r"see \ref{eq:btau}, (\ref{eq:hdef}--\ref{eq:eier}) and \eq{eq:btau}", number)
+    assert bare == "<p>see A.1, (A.2–A.3) and (A.1)</p>"
 
 
 def test_paragraphs_titles_and_comments():
