@@ -13,7 +13,7 @@ from gspot_verified.numbers.balls import approximate, ball_text, sign_of, workin
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
 from gspot_verified.paper.checks.identities import Algebra
-from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.paper.numerics.paper_state import START, paper_state
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
@@ -42,6 +42,8 @@ SLIP = {
     "lam": "z - y",
 }  # fmt: skip
 """The rates of udot and newex1 to newex5 in slip with the constants of newex6, that of z times ε, and ε² λ_N."""
+AT_SPOT = START
+"""The time after the start at which p = 0 for χ = 0: p falls from START at the rate 1."""
 _NEAR = fmpq(1, 10**9)
 _FLOAT_NEAR = fmpq(1, 10**4)
 _DIGITS, _BITS = 20, 128
@@ -63,6 +65,16 @@ def names_of(run: SceneRun) -> tuple[str, ...]:
 def happens(run: SceneRun, events: tuple[str, ...]) -> bool | None:
     """Whether a certified run has these events in this order and no other one up to its end."""
     return names_of(run) == events if run.verdict.outcome is Outcome.PROVED else None
+
+
+def grows_after_the_spot(nu: fmpq) -> bool | None:
+    """Whether for χ = 0 λ_N is seen to grow, after p = 0 and for as long as it slips: not up to a multiple alone."""
+    run = run_of(0, nu)
+    begins = [event.lower for event in run.events if event.name == IMPACT]
+    if run.verdict.outcome is not Outcome.PROVED or len(begins) != 1:
+        return None
+    without_limit = run.verdict.statement.startswith(f"{run.fate} until t")
+    return (begins[0] > AT_SPOT and without_limit) or None
 
 
 def slip_velocity(nu: fmpq, time: fmpq) -> arb:
@@ -208,8 +220,9 @@ def _continues_to_stick() -> Entry:
         "contact sticks, and λ_N grows from some time after the G-spot on, as long as it slips",
         Check(
             Rung.BALLS,
-            "certified runs by the validated integrator: no event but the impact before the stick",
-            all_of(happens(run_of(0, nu), RUNS[0, nu]) for nu in nus),
+            "certified runs by the validated integrator: no event but the impact before the stick; the growth of λ_N is "
+            "seen after p = 0, and not up to a multiple alone",
+            all_of([*(happens(run_of(0, nu), RUNS[0, nu]) for nu in nus), *map(grows_after_the_spot, nus)]),
         ),
         Check(
             Rung.BALLS,

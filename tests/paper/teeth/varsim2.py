@@ -51,6 +51,7 @@ TEETH: Teeth = {
         Bite("factor", ledger, "RUNS", sequence((0, fmpq(4)), (ledger.STICK, ledger.LIFT_OFF))),
         Bite("hidden factor", ledger, "slip_velocity", faster),
         Bite("hypothesis", ledger, "BETA", lambda _: fmpq(3, 2)),
+        Bite("hypothesis", ledger, "AT_SPOT", lambda _: fmpq(51, 100)),
         _NO_ORDER,
     ),
     "3-large-slip": (
