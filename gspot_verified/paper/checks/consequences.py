@@ -203,8 +203,8 @@ _CONSEQUENCES = {
     ),
     "5-brackets": Consequence(
         Reach.NONE,
-        "In each of the formulas one bracket has no partner.",
-        "The exponents and the factor are meant as the corrected ones.",
+        "In each of these places one bracket has no partner.",
+        "The exponents and the factor are meant as the corrected ones, and the caption as closed after p = 0.",
     ),
     "5-monomial": Consequence(
         Reach.NONE,

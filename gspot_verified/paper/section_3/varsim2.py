@@ -220,8 +220,8 @@ def _continues_to_stick() -> Entry:
         "contact sticks, and λ_N grows from some time after the G-spot on, as long as it slips",
         Check(
             Rung.BALLS,
-            "certified runs by the validated integrator: no event but the impact before the stick; the growth of λ_N is "
-            "seen after p = 0, and not up to a multiple alone",
+            "certified runs by the validated integrator: no event but the impact before the stick; the growth of λ_N "
+            "is seen after p = 0, and not up to a multiple alone",
             all_of([*(happens(run_of(0, nu), RUNS[0, nu]) for nu in nus), *map(grows_after_the_spot, nus)]),
         ),
         Check(

@@ -33,15 +33,16 @@ EXTENDED = {"p": "a1", "b": "a2 - a3*lam", "y": "v", "v": "b + p*lam"}
 """genSysP to genSysV."""
 FUNCTIONS = {"P": "a1", "B": "a2 - a3*lam", "Y": "V", "V": "B + P*lam"}
 """gensys2 to gensys5 for the functions of the state."""
-BRACKETS = "lines 2050 to 2058, 2521 to 2543"
+BRACKETS = "lines 296 to 299, 2050 to 2058, 2521 to 2543"
 PLACES = {
-    "lines 2054 and 2056": (r"\\epsilon\^\{(\(2\(\\beta-1\)/3)\}", 2),
-    "line 2538": (
-        r"\\dot\{\\phi\}(\\left\(k_\{\\phi\}\\left\(\\phi-\\phi_0\\right\)\)\+c_\{\\phi\}\\dot\{\\phi\}\\right\))",
-        1,
+    "lines 2053, 2054, 2056": (r"\\epsilon\^\{(\(?2\(\\beta-1\)/3)\}", 3),
+    "lines 2536, 2538, 2541": (
+        r"\\dot\{\\phi\}(\\left\(k_\{\\phi\}\\left\(\\phi-\\phi_0\\right\)\)?\+c_\{\\phi\}\\dot\{\\phi\}\\right\))",
+        3,
     ),
+    "line 299": (r"dynamic jam (\(by reaching the G-spot \$b=p=0\$\)?)\.", 1),
 }
-"""A pattern with a printed group of brackets, and how often it is there."""
+"""A pattern with a printed group of brackets, as it is and with the fault mended, and how often it is there."""
 
 
 LETTERS = "lines 1395 to 1405, 2037 to 2045"
@@ -253,18 +254,20 @@ def _brackets() -> Entry:
         SECTION,
         "5-brackets",
         BRACKETS,
+        r"\text{(by reaching the G-spot }b=p=0,\quad"
         r"\epsilon^{(2(\beta-1)/3},\quad\dot\phi\,(k_\phi(\phi-\phi_0))+c_\phi\dot\phi)",
-        "Every bracket of the perturbed variables (lines 2054, 2056) and of α_2 (line 2538) is closed",
+        "Every bracket of the caption of Figure 3 (line 299), of the perturbed variables (lines 2054, 2056) and of α_2 "
+        "(line 2538) is closed",
         *(
             Check(
                 Rung.EXACT,
                 f"{place}: each bracket with its partner",
                 brackets_close(place),
-                "one bracket has no partner",
+                "a bracket has no partner",
             )
             for place in PLACES
         ),
-        corrected="2(β-1)/3; (k_φ (φ - φ_0) + c_φ φ\u0307)",
+        corrected="(by reaching the G-spot b = p = 0); 2(β-1)/3; (k_φ (φ - φ_0) + c_φ φ\u0307)",
     )
 
 

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+from pathlib import Path
+
 import pytest
 
 from gspot_verified.paper.checks import words
+from gspot_verified.paper.checks.paper import citation
 from gspot_verified.paper.section_5 import section_5_outer
 from gspot_verified.paper.section_5 import section_5_sentences as ledger
+
+PAPER = Path(__file__).resolve().parents[4] / "shared" / "paper.tex"
 
 
 @pytest.mark.parametrize(("differential", "algebraic"), [(4, 1), (2, 3), (3, 3), (5, 0)])
@@ -17,22 +23,41 @@ def test_other_counts(monkeypatch: pytest.MonkeyPatch, differential: int, algebr
     assert ledger.counted_by_derivatives("corrected") is ledger.counted_by_the_order("corrected") is True
 
 
+TWICE, FACTOR, CAPTION = ledger.PLACES
+
+
 @pytest.mark.parametrize(
-    ("old", "new", "answer"),
+    ("place", "old", "new", "answer"),
     [
-        ("{(2(\\beta-1)/3}", "{(2(\\beta-1))/3}", None),
-        ("nothing", "", False),
-        ("(2(\\beta-1)/3", "(2\\beta-1)/3", None),
+        (TWICE, "{(2(\\beta-1)/3}", "{(2(\\beta-1))/3}", None),
+        (TWICE, "nothing", "", False),
+        (TWICE, "(2(\\beta-1)/3", "(2\\beta-1)/3", None),
+        (TWICE, "{(2(\\beta-1)/3}", "{2(\\beta-1)/3}", True),
+        (FACTOR, "nothing", "", False),
+        (FACTOR, "right))+c", "right)+c", True),
+        (FACTOR, "right))+c", "right)))+c", None),
+        (CAPTION, "nothing", "", False),
+        (CAPTION, "$b=p=0$.", "$b=p=0$).", True),
+        (CAPTION, "$b=p=0$.", "$b=0$.", None),
     ],
 )
-def test_brackets(monkeypatch: pytest.MonkeyPatch, old: str, new: str, answer: bool | None) -> None:
+def test_brackets(monkeypatch: pytest.MonkeyPatch, place: str, old: str, new: str, answer: bool | None) -> None:
     honest = ledger.quoted
     monkeypatch.setattr(ledger, "quoted", lambda label: honest(label).replace(old, new))
-    assert ledger.brackets_close("lines 2054 and 2056") is answer
+    assert ledger.brackets_close(place) is answer
 
 
-def test_the_other_printed_bracket() -> None:
-    assert ledger.brackets_close("line 2538") is False
+def test_no_other_paragraph_of_the_paper_has_an_open_bracket() -> None:
+    if not PAPER.is_file():
+        pytest.skip("the paper's source is not at hand")
+    lines = PAPER.read_text(encoding="utf-8").splitlines()
+    walls = [0, *(n for n, line in enumerate(lines, 1) if not line.strip()), len(lines) + 1]
+    paragraphs = [(first + 1, last - 1) for first, last in pairwise(walls)]
+    texts = {span: "".join(lines[span[0] - 1 : span[1]]) for span in paragraphs}
+    found = [span for span, text in texts.items() if text.count("(") != text.count(")")]
+    cited = [(quoted.first, quoted.last) for quoted in citation(ledger.BRACKETS).quotations]
+    assert len(found) == len(cited)
+    assert all(a <= first and last <= b for (a, b), (first, last) in zip(found, cited, strict=True))
 
 
 def test_differences(monkeypatch: pytest.MonkeyPatch) -> None:

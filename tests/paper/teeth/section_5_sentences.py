@@ -83,6 +83,7 @@ TEETH: Teeth = {
         NotApplicable("hidden factor", _WORDS),
         Bite("hypothesis", ledger, "quoted", reads_as(r"\phi_0\right))+", r"\phi_0\right)+")),
         Bite("hypothesis", ledger, "quoted", reads_as(r"{(2(\beta-1)/3}", r"{2(\beta-1)/3}")),
+        Bite("hypothesis", ledger, "quoted", reads_as("$b=p=0$.", "$b=p=0$).")),
         NotApplicable("order", _WORDS),
     ),
 }
