@@ -108,7 +108,7 @@ _CONSEQUENCES = {
     ),
     "3-table-1-one-series": Consequence(
         Reach.LOCAL,
-        "Over any one series (ε <= 1/1500, 1 % apart or more) the two slopes are closer than printed.",
+        "Over any one series of ε <= 1/1500, 1 % apart or more, the two slopes are closer than printed.",
         "Which series of ε was used is not printed; the theoretical exponents are right.",
         table="Table 1(a)",
     ),
