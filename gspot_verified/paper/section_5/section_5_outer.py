@@ -115,8 +115,7 @@ def _fast_system() -> Entry:
             equilibrium,
             fault="on it the printed right-hand side of v_o is -b, so that it is no equilibrium",
         ),
-        corrected="M (y_o, v_o, z_o) + (0, b, 0): the constant b is left out. M itself is right, and so are its "
-        "eigenvalues and the conclusions on stability",
+        corrected="M (y_o, v_o, z_o) + (0, b, 0): the constant b is left out; M is right, and so are its eigenvalues",
         note="As printed it holds for the deviations from the slow manifold, or for b = 0.",
     )
 

@@ -267,7 +267,7 @@ def _brackets() -> Entry:
             )
             for place in PLACES
         ),
-        corrected="(by reaching the G-spot b = p = 0); 2(β-1)/3; (k_φ (φ - φ_0) + c_φ φ\u0307)",
+        corrected="b = p = 0); 2(β-1)/3; (k_φ (φ - φ_0) + c_φ φ\u0307)",
     )
 
 
