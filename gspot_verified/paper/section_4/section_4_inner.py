@@ -101,8 +101,8 @@ def _inner_fast() -> Entry:
             lambda parts: [ALGEBRA.replaced(parts["equation"], "f", _fast_powers(), ALGEBRA.constant(1))],
             fault="the motions of the system do not satisfy the printed equation",
         ),
-        corrected="the term is -δ² α_1 s (b_f' + b_f''), as in the fast equation of the outer scale with p = α_1 δ² s",
-        note="Its limit δ → 0 is not affected.",
+        corrected="the term is -δ² α_1 s (b_f' + b_f'')",
+        note="So it is in the fast equation of the outer scale, p = α_1 δ² s. Its limit δ → 0 is not affected.",
     )
 
 
