@@ -210,7 +210,7 @@ def _caption() -> Entry:
 
 
 def _continues_to_stick() -> Entry:
-    nus = [nu for chi, nu in RUNS if chi == 0]
+    nus = sorted({nu for _, nu in RUNS})
     return settled(
         SECTION,
         "3-impact-to-stick",

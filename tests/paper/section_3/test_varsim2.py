@@ -209,6 +209,8 @@ def test_the_two_way_runs_are_compared_with_their_own_float_run(
         assert [check.agrees for check in ledger.ENTRIES[ledger.identifier(1, nu)]().checks] == [True, None]
     assert compared == [(1, QUARTER), (1, FOUR)]
     assert asked
+    slow = {nu: "not large enough" in ledger.ENTRIES[ledger.identifier(1, nu)]().note for nu in (QUARTER, FOUR)}
+    assert slow == {QUARTER: False, FOUR: True}
 
 
 def test_the_sentence_on_sticking_is_on_both_one_way_runs(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:
@@ -237,6 +239,7 @@ def test_the_sentence_on_fast_slip_is_on_three_runs(monkeypatch: pytest.MonkeyPa
     [
         ([(LIFT_OFF, 1)], [(LIFT_OFF, fmpq(100009, 10**5))], True),
         ([(LIFT_OFF, 1)], [(LIFT_OFF, fmpq(10001, 10**4))], False),
+        ([(LIFT_OFF, 1)], [(LIFT_OFF, fmpq(1, 2))], False),
         ([(LIFT_OFF, 1)], [(STICK, 1)], False),
         ([(LIFT_OFF, 1)], [(STICK, 1), (LIFT_OFF, 1)], False),
         ([], [(LIFT_OFF, 1)], None),
@@ -258,3 +261,6 @@ def test_the_caption_needs_the_drawn_events_too(monkeypatch: pytest.MonkeyPatch,
     assert set(asked) == set(ledger.RUNS)
     monkeypatch.setattr(ledger, "floats_agree", lambda chi, nu: (chi, nu) != (1, FOUR))
     assert [check.agrees for check in ledger.ENTRIES["3-varsim2-caption"]().checks] == [True, False]
+    monkeypatch.setattr(ledger, "floats_agree", lambda *_: True)
+    monkeypatch.setattr(ledger, "RUNS", {**ledger.RUNS, (1, FOUR): (IMPACT,)})
+    assert [check.agrees for check in ledger.ENTRIES["3-varsim2-caption"]().checks] == [True, True]
