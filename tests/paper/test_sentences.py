@@ -31,6 +31,13 @@ PROPERTIES = {
     "regular asymptotic expansion|regular power series": "regular",
     "sign throughout": "throughout",
     "typically": "where p = 0",
+    "in accordance with": "in accordance|is β",
+    "balanced by": "balance",
+    "codimension(?!-two)": "codimension",
+    "generalised hypergeometric": "hypergeometric|1F2",
+    r"C\^\\infty": r"C\^∞",
+    "theoretical predictions": "theoretical",
+    "we can derive expressions": "procedure",
     "(?:always|all trajectories|all initial conditions)": UNIVERSAL,
 }
 """A property that a sentence claims, where it is no part of a name, and how a row says it: qualifying words too."""
