@@ -1,4 +1,4 @@
-"""Check a certificate: dΘ/dτ, the force, its zeros, a run, a passage. Usage: python checker [OPTIONS] CERTIFICATE
+"""Check a certificate: dΘ/dτ, the force, a run, a passage, an approach. Usage: python checker [OPTIONS] CERTIFICATE
 
 The format is on the page certificate.md; every lemma named here is proved there or on check.md. Nothing beyond Python's
 standard library is imported. The parts, in the order in which they are read; each uses those before it:
@@ -14,6 +14,7 @@ standard library is imported. The parts, in the order in which they are read; ea
     mechanism    the equations and events of a mechanism, from its mass matrix, forces and contact (section 1a there)
     run          a run: its steps, signs and events (run_certificate.md, sections 2 to 4)
     passage      from a state towards the G-spot for all small ε (from_state.md, section 10)
+    approach     a mechanism in rigid slip from a state to a G-spot (approach_certificate.md)
     __main__     the kinds of statements, and the command line
 """
 
@@ -25,6 +26,7 @@ import stat
 import sys
 from collections.abc import Sequence
 
+import approach
 import force
 import passage
 import run
@@ -34,7 +36,11 @@ from pieces import read_certificate
 from reading import read_header, read_lines
 
 RULES = {1: statements.RULES, 2: force.FORCE, 3: force.SLOW_ZEROS}  # of each version: kind and check
-OF_LINES = {run.VERSION: run.check_run, passage.VERSION: passage.check_passage}  # of versions without columns
+OF_LINES = {  # of versions without columns
+    run.VERSION: run.check_run,
+    passage.VERSION: passage.check_passage,
+    approach.VERSION: approach.check_approach,
+}
 USAGE = "usage: python checker [--workers N] [--limit NAME=NUMBER]... CERTIFICATE"
 LIMITS = f"; the limits are {', '.join(Limits._fields)}"
 STATUS = {"VERIFIED": 0, "REJECTED": 1, "usage": 64}  # exit codes; 64 as in sysexits.h

@@ -67,12 +67,17 @@ def put_in(function: Polynomial, table: Mapping[str, Polynomial], meter: Meter) 
         meter.spend(0, PAIR)
         for name in key:
             if name in table:
-                pairs = len(product) * len(table[name])
-                meter.spend(pairs * 8 * (longest_number(product) + lengths[name]) ** 2, pairs * PAIR)
-                product = product * table[name]
+                product = paid(product, table[name], meter, lengths[name])
         for name, share in product.items():
             found.take(name, share)
     return found
+
+
+def paid(left: Polynomial, right: Polynomial, meter: Meter, length: int = 0) -> Polynomial:
+    """The product; ``length``: that of the longest number of the right one, where it is known."""
+    pairs = len(left) * len(right)
+    meter.spend(pairs * 8 * (longest_number(left) + (length or longest_number(right))) ** 2, pairs * PAIR)
+    return left * right
 
 
 def longest_number(function: Polynomial) -> int:
@@ -152,6 +157,15 @@ class Mechanism:
                 height, speed = eps * eps * state(Y) - rest, eps * state(V) - self.rate(rest)
                 return {self.place[q]: share * height, f"{q}_dot": share * speed}
         return reject("y has no coordinate of which it is a multiple beside the others")
+
+    def circle(self, q: str, angle: Fraction, numbers: Numbers) -> Box:
+        """Sine and cosine of a coordinate, which is counted from its reference."""
+        sine, cosine = numbers.sine_cosine(angle)
+        s, c = self.references[q]
+        return {
+            f"sin({q})": add(numbers.scaled(s, cosine), numbers.scaled(c, sine)),
+            f"cos({q})": add(numbers.scaled(c, cosine), numbers.scaled(-s, sine)),
+        }
 
     def words(self) -> str:
         """The mechanism in the statement."""
@@ -238,10 +252,7 @@ class MechanismScene:
         box = {name: numbers.interval(value) for name, value in (exact | at).items() if name not in ("y", "v", "z")}
         for q in mechanism.coordinates:
             if mechanism.place[q] in at:
-                sine, cosine = numbers.sine_cosine(at[mechanism.place[q]])
-                s, c = mechanism.references[q]
-                box[f"sin({q})"] = add(numbers.scaled(s, cosine), numbers.scaled(c, sine))
-                box[f"cos({q})"] = add(numbers.scaled(c, cosine), numbers.scaled(-s, sine))
+                box |= mechanism.circle(q, at[mechanism.place[q]], numbers)
         system = self.systems["slip"]
         for minor in system.motion.minors:
             require(names_of([minor]) <= set(box), "M depends on what is not followed")
