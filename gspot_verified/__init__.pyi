@@ -77,6 +77,7 @@ from gspot_verified.report.pictures.canvas import Picture as Picture
 from gspot_verified.report.plot import plot as plot
 from gspot_verified.report.write import render_report as render_report
 from gspot_verified.report.write import write_report as write_report
+from gspot_verified.scenes.certificates.approach_certificate import approach_certificate as approach_certificate
 from gspot_verified.scenes.equations.motion import SceneError as SceneError
 from gspot_verified.scenes.hard_sides import hard_sides as hard_sides
 from gspot_verified.scenes.hard_sides import wrong_sides as wrong_sides

@@ -47,6 +47,7 @@ class Slip:
 
     def __init__(self, mechanism: Mechanism, surface: Fraction | None, meter: Meter) -> None:
         self.mechanism = m = mechanism
+        require(not {"C_1", "b", "p"} & set(m.coordinates), "a coordinate has a name of something else")
         dots, det = [state(f"{q}_dot") for q in m.coordinates], m.minors[-1]
         self.inverse = bool(names_of([det]))
         require(self.inverse or det, "det M is 0")
@@ -68,8 +69,8 @@ class Slip:
         self.minors = [put_in(minor, self.solved, meter) for minor in m.minors]
         F, G = ({name: put_in(rate, self.solved, meter) for name, rate in rates.items()} for rates in (F, G))
         self.own = [name for q in m.coordinates for name in (m.place[q], f"{q}_dot") if name not in self.solved]
-        moving = [*self.of.values(), *self.minors, *(rates[name] for rates in (F, G) for name in self.own if name in rates)]
-        used = names_of(moving)
+        moving = [rates[name] for rates in (F, G) for name in self.own if name in rates]
+        used = names_of([*self.of.values(), *self.minors, *moving])
         pairs = {q: {f"sin({q})", f"cos({q})"} for q in m.coordinates}
         self.angles = [q for q, pair in pairs.items() if used & pair]
         require(not {m.place[q] for q in self.angles} & set(self.solved), "a sine of the coordinate that y replaces")
@@ -215,10 +216,11 @@ def check_approach(hypotheses: Any, statement: Any, lines: Sequence[bytes], limi
     require(below in ([], ["negative"]), "the sign of C_1")
     require(end.below or not below, "C_1 < 0 is not certain")
     began = ", ".join(f"{name} = {value}" for name, value in exact.items())
-    slides = f"x' > {surface[0]}" if surface else "provided that slip is positive, which is not shown"
+    slides = f"x' > {surface[0]}" if surface else "provided that slip is positive until then, which is not shown"
     return (
-        f"{slip.mechanism.words()}, in positive slip, λ_T = -μ λ_N, on the rigid contact y = 0 from {began}: "
-        f"it reaches a G-spot, p = b = 0, at a time t <= {decimal(short(time))}, with λ_N > 0 until then, {slides}; "
+        f"{slip.mechanism.words()}, in positive slip, λ_T = -μ λ_N, on the rigid contact y = 0 from {began}, t = 0: "
+        f"with p = dy/dq M^-1 (dy/dq - μ dx/dq) and b = y'' at λ_N = 0 it reaches a G-spot, p = b = 0, at a time "
+        f"t <= {decimal(short(time))}, λ_N > 0 until then, {slides}; "
         f"there {', '.join(said)}, {', '.join(signs)}{', C_1 < 0' * bool(below)}"
     )
 

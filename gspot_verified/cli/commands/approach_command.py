@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, Scheduler, TableOutput, Workers, app, print_json, refuse
+from gspot_verified.cli.app import JsonFlag, Scheduler, TableOutput, Workers, app, print_json, progress, refuse, warn
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName, Settings
 from gspot_verified.cli.load import components, load_with_settings, show_approach
+from gspot_verified.cli.output import Outputs
 from gspot_verified.cli.table_output import TableRun, write_approach_table
+
+if TYPE_CHECKING:
+    from gspot_verified.mechanisms.input.mechanism import Mechanism
 
 _STATE = 'The state, "phi=phi_ref + 1/10,phi_dot=-9/10": all components, or all but the two that y = v = 0 determine.'
 
@@ -39,6 +43,10 @@ def approach(
     output: TableOutput = None,
     workers: Workers = 1,
     scheduler: Scheduler = None,
+    certificate: Annotated[
+        Path | None,
+        typer.Option(help="Write a certificate that slip reaches the G-spot, which `check` reads."),
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Where slip from a state leads: a G-spot, lift-off or stick. At a G-spot: C1 in balls, and lift-off or impact.
@@ -47,14 +55,52 @@ def approach(
 
     With --table slip is followed for each row of values, with those of --from in all rows, and the answers are the
     lines of a CSV file; a row that is refused or undecided says why, and then the exit code is 2.
+
+    --certificate is for mechanisms of sines, cosines and powers with x, as it is for `simulate`; the components of the
+    state must be rational numbers, an angle its reference and one. C1 is in it where β < 1 alone.
     """
     if table is not None:
-        refuse("not with --table, whose answers are the rows of --output", {"--spot": spot, "--json": as_json})
+        refuse(
+            "not with --table, whose answers are the rows of --output",
+            {"--spot": spot, "--json": as_json, "--certificate": certificate},
+        )
         write_approach_table(TableRun(name, settings, table, output, workers, scheduler), state, surface)
     refuse("only with --table", {"--output": output, "--scheduler": scheduler, "--workers": workers != 1})
     if state is None:
         raise ValueError("give the state with --from, or states with --table")
-    show_approach(load_with_settings(name, settings), state, surface, as_json, spot)
+    outputs = Outputs()
+    outputs.reads(name)
+    outputs.file("--certificate", certificate)
+    mechanism = load_with_settings(name, settings)
+    if certificate is None:
+        show_approach(mechanism, state, surface, as_json, spot)
+    refuse("not together with --certificate", {"--spot": spot})
+    _certify(outputs, mechanism, state, surface, certificate, as_json)
+
+
+def _certify(
+    outputs: Outputs, mechanism: Mechanism, state: str, surface: str | None, file: Path, as_json: bool
+) -> NoReturn:
+    """The answer, and a certificate where it is a G-spot."""
+    from gspot_verified.certificates.text import write_text
+    from gspot_verified.mechanisms.approach.approach import approach as approach_spot
+    from gspot_verified.scenes.certificates.approach_certificate import approach_certificate
+
+    given = components(state)
+    result = approach_spot(mechanism, given, surface_velocity=surface)
+    if as_json:
+        print_json(result.to_json(), "approach")
+    else:
+        typer.echo(str(result))
+    if result.end != "G-spot":
+        warn(f"--certificate: no G-spot is proved to be reached; {file} was not written")
+    elif outputs.write(
+        "--certificate",
+        file,
+        lambda: write_text(file, approach_certificate(mechanism, given, surface_velocity=surface)),
+    ):
+        (progress if as_json else typer.echo)(f"certificate that the G-spot is reached: {file}")
+    outputs.leave(result.exit_code)
 
 
 @app.command(epilog=example("simulators pushed-chalk --from theta=2/5,theta_dot=1"))

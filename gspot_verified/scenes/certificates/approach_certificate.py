@@ -5,35 +5,105 @@ The producer's side of ``proofs/approach_certificate.md``. Nothing here is part 
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.certificates.text import APPROACH_VERSION, sealed
+from gspot_verified.certificates.checker import check
+from gspot_verified.certificates.text import APPROACH_VERSION, sealed, write_text
 from gspot_verified.functions.rings import RATIONALS
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep, Steps
 from gspot_verified.integrator.norm_steps.norm_run import NormRun
 from gspot_verified.integrator.norm_steps.norm_step import NormStep
 from gspot_verified.mechanisms.approach.capture import Capture, capture
-from gspot_verified.mechanisms.approach.slip_state import StateError, StateInput, state_formula
-from gspot_verified.mechanisms.derive.to_system import Shifted
-from gspot_verified.mechanisms.input.mechanism import Place
+from gspot_verified.mechanisms.approach.slip_state import StateError, StateInput, slip_state, state_formula
+from gspot_verified.mechanisms.derive.to_system import Shifted, shift
+from gspot_verified.mechanisms.input.mechanism import Mechanism, Place
 from gspot_verified.mechanisms.spots.g_spot import place_in
-from gspot_verified.numbers.balls import add_remainder, ball, working_bits
+from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, exact, working_bits
 from gspot_verified.scenes.certificates.bounded_step import NotBounded, bounded_step, grid, pair
-from gspot_verified.scenes.certificates.polynomial_slip import PolynomialSlip
+from gspot_verified.scenes.certificates.polynomial_slip import TIME, PolynomialSlip
 
+MAX_STEPS = 400  # a limit against endless work
 _PRECISIONS = (128, 192, 320)  # bits of the steps, tried in turn
 _CHECKER_BITS = 64  # more than the steps'
 _SPARE_BITS = 64  # more than the checker's, for this file's own balls
 _GUARD_BITS = 32  # of the steps' bits that coefficients do not use
-MAX_STEPS = 400
 _NEAR = fmpq(1, 2**20)  # how far a state may still move by Theorem A1, where the way ends
-_ROOM = fmpq(1, 2**30)  # relative, by which the neighbourhood is wider than needed
+_ROOM = fmpq(1, 2**30)  # relative, by which what is said of the G-spot is wider than needed
 _PLACES = 9  # decimals of what the statement says
+
+
+def approach_certificate(mechanism: Mechanism, state: StateInput, *, surface_velocity: ExactInput | None = None) -> str:
+    """The text of a certificate that ``gspot-verified check`` reads: from ``state`` slip reaches a G-spot, where and
+    until when, with a positive contact force until then. The checker was asked before.
+
+    ``state`` and ``surface_velocity`` as in ``approach``; the components are rational numbers, of an angle with a
+    reference what is added to that. The side of the motion at the G-spot is part of it where beta < 1 alone: C_1 < 0.
+
+    :raises StateError: no such state, or a component that is not rational.
+    :raises NotPolynomial: no certificate covers the mechanism; the message says why.
+    :raises NotBounded: no way to a G-spot was found, or the checker does not confirm it.
+
+    >>> from gspot_verified import load
+    >>> rod = load("rod")
+    >>> print(approach_certificate(rod, {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": 1})[:36])
+    {"format":"gspot_verified certificat
+    """
+    shifted = shift(mechanism)
+    slip = PolynomialSlip(shifted.mechanism)
+    with working_bits(_PRECISIONS[0]):
+        slip_state(shifted, state)
+    start = _exact_start(shifted, state, slip)
+    velocity = _velocity(slip, start, surface_velocity)
+    reason = NotBounded("no way to a G-spot was found")
+    for bits in _PRECISIONS:
+        try:
+            text = _Writer(slip, start, velocity).text(bits)
+        except NotBounded as error:
+            reason = error
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "approach.cert"
+            write_text(file, text)
+            answer = check(file)
+        if answer.verified:
+            return text
+        reason = NotBounded(f"the checker does not confirm the certificate: {answer.text}")
+    raise reason
+
+
+def _exact_start(shifted: Shifted, state: StateInput, slip: PolynomialSlip) -> dict[str, fmpq]:
+    """The coordinates and velocities that a certificate gives, angles from their references."""
+    mechanism, found = shifted.mechanism, dict[str, fmpq]()
+    words = {name: word for word, name in slip.mechanism.place.items()}
+    for name in slip.own:
+        word = words.get(name, name)
+        if word not in state:
+            raise StateError(f"{mechanism.name}: a certificate needs {word}; leave out {slip.replaced} instead")
+        value = state_formula(mechanism, word, state[word])
+        placed = replace(mechanism, place=Place(((word, value),)))
+        try:
+            found[name] = place_in(replace(shifted, mechanism=placed), RATIONALS)[word]
+        except ValueError:
+            form = f"{word}_ref and a rational number" if name != word else "a rational number"
+            raise StateError(f"{mechanism.name}: a certificate needs {form} for {word}") from None
+    return found
+
+
+def _velocity(slip: PolynomialSlip, start: Mapping[str, fmpq], given: ExactInput | None) -> fmpq | None:
+    """Of the surface: 0 if u > 0; None: nothing is asked of u."""
+    if given is None:
+        with working_bits(_PRECISIONS[0]):
+            return fmpq(0) if slip.on(slip.start(start)).u > 0 else None
+    velocity = exact(given, "surface_velocity")
+    if not isinstance(velocity, fmpq):
+        raise StateError("a certificate needs a rational number for the surface's velocity")
+    return velocity
 
 
 class _Kept(Steps):
@@ -44,84 +114,61 @@ class _Kept(Steps):
         self.steps = list[ChosenStep]()
 
     def proved(self, step: ChosenStep, time: arb) -> None:
+        """One more step."""
         super().proved(step, time)
         self.steps.append(step)
 
 
-def exact_start(shifted: Shifted, state: StateInput, slip: PolynomialSlip) -> dict[str, fmpq]:
-    """The coordinates and velocities that a certificate gives, angles from their references.
-
-    :raises StateError: one is missing, or no rational number.
-    """
-    mechanism = shifted.mechanism
-    found = dict[str, fmpq]()
-    words = {name: word for word, name in slip.mechanism.place.items()}
-    for name in slip.own:
-        word = words.get(name, name)
-        if word not in state:
-            raise StateError(f"{mechanism.name}: a certificate needs {word}; y = 0 and v = 0 replace another component")
-        value = state_formula(mechanism, word, state[word])
-        placed = replace(mechanism, place=Place(((word, value),)))
-        try:
-            found[name] = place_in(replace(shifted, mechanism=placed), RATIONALS)[word]
-        except (TypeError, ValueError):
-            angle = f", counted from {word}_ref" if name != word else ""
-            raise StateError(f"{mechanism.name}: a certificate needs a rational number for {word}{angle}") from None
-    return found
-
-
-class ApproachWriter:
+class _Writer:
     """Follows slip to a neighbourhood of a G-spot, and writes down what a checker needs."""
 
-    def __init__(self, slip: PolynomialSlip, start: Mapping[str, fmpq], surface: fmpq | None) -> None:
-        self.slip, self.start, self.surface = slip, start, surface
+    def __init__(self, slip: PolynomialSlip, start: Mapping[str, fmpq], velocity: fmpq | None) -> None:
+        self._slip, self._start, self._velocity = slip, start, velocity
 
-    def text(self, max_steps: int = MAX_STEPS) -> str:
-        """The certificate.
-
-        :raises NotBounded: no way to a G-spot was found.
-        """
-        for bits in _PRECISIONS:
-            try:
-                return self._text(bits, max_steps)
-            except NotBounded as error:
-                last = error
-        raise last
-
-    def _text(self, bits: int, max_steps: int) -> str:
+    def text(self, bits: int) -> str:
+        """The certificate, by steps of so many bits."""
         with working_bits(bits):
-            steps = self._way(max_steps)
+            steps = self._way()
         last = bits + _CHECKER_BITS
         with working_bits(last + _SPARE_BITS):
             lines, states = self._written(steps, bits - _GUARD_BITS, last)
             found = self._captured(states)
             if found is None:
                 raise NotBounded("the bounds of a certificate are too wide where slip reaches the G-spot")
-            sides = {name: _outward(side, last) for name, side in zip(self.slip.names, found.box, strict=True)}
+            sides = {name: _outward(side, last) for name, side in zip(self._slip.names, found.box, strict=True)}
             statement = self._statement(states, found)
         return sealed(APPROACH_VERSION, statement, [{"bits": last}, *lines, {"neighbourhood": sides}])
 
     def _captured(self, states: Sequence[arb]) -> Capture | None:
-        surface = None if self.surface is None else ball(self.surface)
-        return capture(self.slip, states, surface)
+        return capture(self._slip, states, None if self._velocity is None else ball(self._velocity))
 
-    def _way(self, max_steps: int) -> list[ChosenStep]:
-        kept = _Kept(max_steps)
-        run = NormRun(self.slip.field, self.slip.start(dict(self.start)), steps=kept)
+    def _way(self) -> list[ChosenStep]:
+        """The steps up to where Theorem A1 holds on a small neighbourhood, or on one at all."""
+        kept, count = _Kept(MAX_STEPS), 0
+        run = NormRun(self._slip.field, self._slip.start(self._start), steps=kept)
         for segment in run:
             states = segment.step.enclosure(arb(1))
+            if not self._slip.on(states).b < 0:
+                break
             found = self._captured(states)
-            if found is not None and all(far < ball(_NEAR) for far in found.reach):
-                return kept.steps
-        raise NotBounded(f"no G-spot was reached: {run.reason}")
+            if found is None and count:
+                break
+            if found is not None:
+                count = len(kept.steps)
+                if all(far < ball(_NEAR) for far in found.reach):
+                    break
+        if not count:
+            raise NotBounded("no way to a G-spot was found")
+        return kept.steps[:count]
 
     def _written(self, steps: Sequence[ChosenStep], unit: int, last: int) -> tuple[list[Any], list[arb]]:
-        names = (*self.slip.names, "t")
-        states, lines = self.slip.start(dict(self.start)), list[Any]()
+        """The lines of the steps, and the states at their end."""
+        names = (*self._slip.names, TIME)
+        states, lines = self._slip.start(self._start), list[Any]()
         step: NormStep | None = None
         for chosen in steps:
             assert chosen.h is not None
-            found = bounded_step(self.slip.field, names, chosen, chosen.h, step, states, (unit, last))
+            found = bounded_step(self._slip.field, names, chosen, chosen.h, step, states, (unit, last))
             lines.append(found.text)
             step = found.step
             states = [p(arb(1)) for p in step.solution]
@@ -129,36 +176,34 @@ class ApproachWriter:
         return lines, step.enclosure(arb(1))
 
     def _statement(self, states: Sequence[arb], found: Capture) -> dict[str, Any]:
-        slip = self.slip
-        reached = [add_remainder(side, far * (1 + ball(_ROOM))) for side, far in zip(states, found.reach, strict=False)]
+        slip = self._slip
+        reached = [add_remainder(x, far * (1 + ball(_ROOM))) for x, far in zip(states, found.reach, strict=False)]
         place, at = dict(zip(slip.names, reached, strict=True)), slip.on(reached)
-        alphas = [at.alpha_1, at.alpha_2, at.alpha_3]
         rises = (found.numbers.alpha_3 - found.numbers.alpha_1).lower()
-        below = bool(rises > 0 and rises * self._force(states) > found.numbers.alpha_2.upper().max(arb(0)))
+        below = rises > 0 and rises * slip.on(states).force.lower() > found.numbers.alpha_2.upper().max(arb(0))
         return {
-            "C_1": ["negative"] * below,
-            "alpha": [_range(value) for value in alphas],
+            "C_1": ["negative"] if below else [],
+            "alpha": [_range(value) for value in (at.alpha_1, at.alpha_2, at.alpha_3)],
             "beta": _range(at.alpha_3 / at.alpha_1),
             "kind": "approach",
             "mechanism": slip.mechanism.given,
             "place": {name: _range(place[name]) for name in slip.own},
-            "start": {name: str(value) for name, value in self.start.items()},
-            "surface": [] if self.surface is None else [str(self.surface)],
+            "start": {name: str(value) for name, value in self._start.items()},
+            "surface": [] if self._velocity is None else [str(self._velocity)],
             "time": _range(states[-1] + found.time)[1],
         }
 
-    def _force(self, states: Sequence[arb]) -> arb:
-        """A lower bound of the contact force."""
-        return self.slip.on(states).force.lower()
-
 
 def _outward(side: arb, last: int) -> list[list[int]]:
-    ends = side.lower() - arb((1, -last)), side.upper() + arb((1, -last))
-    return [pair(arb((grid(end, last), -last))) for end in (ends[0], ends[1] + arb((1, -last)))]
+    """The ends of a side on the checker's grid, a little farther out."""
+    low, high = grid(side.lower(), last) - 1, grid(side.upper(), last) + 2
+    return [pair(arb((end, -last))) for end in (low, high)]
 
 
 def _range(value: arb) -> list[str]:
     """Decimals below and above."""
     power = fmpq(10) ** _PLACES
-    ends = ((value.lower() * power).floor() - 1, (value.upper() * power).ceil() + 1)
-    return [str(fmpq(int(end.unique_fmpz())) / power) for end in ends]
+    low, high = (value.lower() * power).floor().unique_fmpz(), (value.upper() * power).ceil().unique_fmpz()
+    assert low is not None
+    assert high is not None
+    return [str(fmpq(end) / power) for end in (low - 1, high + 1)]

@@ -6,7 +6,7 @@ derives its own equations.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from flint import arb, fmpq, fmpq_mpoly
 
@@ -37,6 +37,8 @@ class PolynomialSlip:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = m = PolynomialMechanism(mechanism)
+        if taken := {"C_1", "b", "p"} & set(m.coordinates):
+            raise NotPolynomial(f"certificates of approaches have another use for the name {min(taken)}")
         zero = m.number(0)
         dots = [m.of(f"{q}_dot") for q in m.coordinates]
         det = m.minors()[-1]
@@ -56,6 +58,7 @@ class PolynomialSlip:
         F, G = ({name: m.put_in(rate, solved) for name, rate in rates.items()} for rates in (F, G))
         places = [name for q in m.coordinates for name in (m.place[q], f"{q}_dot")]
         self.own = [name for name in places if name not in solved]
+        self.replaced = " and ".join(name for name in places if name in solved)
         moving = [*scalars, *(rates[name] for rates in (F, G) for name in self.own if name in rates)]
         used = m.names_in([*moving, *(m.put_in(minor, solved) for minor in m.minors())])
         turning = {q: {f"sin({q})", f"cos({q})"} for q in m.coordinates}
@@ -78,7 +81,7 @@ class PolynomialSlip:
         """p, b, u, the α's, F and G on a box of the states."""
         return Numbers.of(self._program.values(list(box[: len(self.names)])))
 
-    def start(self, own: dict[str, fmpq]) -> list[arb]:
+    def start(self, own: Mapping[str, fmpq]) -> list[arb]:
         """All states where ``own`` are the coordinates and velocities, and the time 0."""
         m, values = self.mechanism, {name: ball(value) for name, value in own.items()}
         for q in self._angles:
