@@ -27,7 +27,8 @@ HYPOTHESES = {
     6: ("approach", "approach_certificate", "run_certificate"),
 }
 """The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force, 3
-about the number of zeros of its slow solution, 4 about a run, 5 about the way from a state towards the G-spot, 6 about slip of a mechanism that reaches one."""
+about the number of zeros of its slow solution, 4 about a run, 5 about the way from a state towards the G-spot, 6
+about slip of a mechanism that reaches one."""
 RUN_VERSION = 4  # of certificates of runs
 PASSAGE_VERSION = 5  # of certificates of Theorem B
 APPROACH_VERSION = 6  # of certificates that slip reaches a G-spot

@@ -87,10 +87,7 @@ class Slip:
         self.jacobian = [[self.rates[i].by(j) for j in self.names] for i in self.names]
         watched = {"b ≥ 0": -b} | ({} if surface is None else {"slip that ends": self.of["u"] - number(surface)})
         self.slope = None if surface is None else watched["slip that ends"]
-        self.events = {}
-        for name, function in watched.items():
-            along(function, self.rates, meter)  # paid once more where it is made
-            self.events[name] = Event(function, self.rates)
+        self.events = {name: Event(function, self.rates) for name, function in watched.items()}
 
     def first_box(self, start: Mapping[str, Fraction], numbers: Numbers) -> Box:
         """All states at the start, where M is positive definite (run_certificate.md, Lemma 2)."""

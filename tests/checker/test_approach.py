@@ -136,6 +136,7 @@ def cut(place: tuple[Any, ...], end: int) -> Change:
     return change
 
 
+SLOW_SLIP = both(*(put(LAST, "neighbourhood", name, to=[[0, 0], [3, 0]]) for name in ("X", "X_dot")))
 SLOW, NODE = "a bound rises too slowly", "a bound begins below the errors"
 PIECE = (5, "pieces", 0)
 STATES = sorted(LINES[LAST]["neighbourhood"])
@@ -170,7 +171,7 @@ REJECTED: list[tuple[str, Change, str]] = [
     ("a side for the time", put(LAST, "neighbourhood", "t", to=[[0, 0], [1, 0]]), "has not the keys"),
     ("a side with one end", put(LAST, "neighbourhood", "X", to=[[0, 0]]), "is not a pair"),
     ("a large neighbourhood", whole_neighbourhood("1"), "are not certainly negative in the neighbourhood"),
-    ("a neighbourhood where slip may end", both(*(put(LAST, "neighbourhood", name, to=[[0, 0], [3, 0]]) for name in ("X", "X_dot"))), "slip is not certainly positive in the neigh"),
+    ("a neighbourhood where slip may end", SLOW_SLIP, "slip is not certainly positive in the neigh"),
     # The statement.
     *((f"{place} cut at {end}", cut(place, end), "may lie outside") for place in RANGES for end in (0, 1)),
     ("too early", state("time", to=moved("-1/500000000")), "may be reached after the time"),

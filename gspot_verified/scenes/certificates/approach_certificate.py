@@ -144,11 +144,12 @@ class _Writer:
 
     def _way(self) -> list[ChosenStep]:
         """The steps up to where Theorem A1 holds on a small neighbourhood, or on one at all."""
-        kept, count = _Kept(MAX_STEPS), 0
-        run = NormRun(self._slip.field, self._slip.start(self._start), steps=kept)
-        for segment in run:
+        kept, count, start = _Kept(MAX_STEPS), 0, self._slip.start(self._start)
+        if not (self._slip.on(start).p > 0 and self._slides(start)):
+            raise NotBounded("p > 0, b < 0 or positive slip is not certain at the start")
+        for segment in NormRun(self._slip.field, start, steps=kept):
             states = segment.step.enclosure(arb(1))
-            if not self._slip.on(states).b < 0:
+            if not self._slides(states):
                 break
             found = self._captured(states)
             if found is None and count:
@@ -160,6 +161,11 @@ class _Writer:
         if not count:
             raise NotBounded("no way to a G-spot was found")
         return kept.steps[:count]
+
+    def _slides(self, states: Sequence[arb]) -> bool:
+        """Whether b < 0 and slip is positive, where it is asked for."""
+        at = self._slip.on(states)
+        return bool(at.b < 0 and (self._velocity is None or at.u > ball(self._velocity)))
 
     def _written(self, steps: Sequence[ChosenStep], unit: int, last: int) -> tuple[list[Any], list[arb]]:
         """The lines of the steps, and the states at their end."""
