@@ -1,4 +1,7 @@
-"""Certificates of approaches: mechanisms that have one, those that have none and why, provers that leave work out."""
+"""Certificates of approaches: mechanisms that have one, those that have none and why, provers that leave work out.
+
+Page: proofs/approach_certificate.md.
+"""
 
 from __future__ import annotations
 
