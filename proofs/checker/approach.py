@@ -6,7 +6,7 @@ and bounds of the way, and a neighbourhood of its end that any producer may have
 
     Slip      p, b, the α's and the field X = pF - bG (section 1)
     Way       steps as in run.py, on which b < 0 and slip is positive (section 2)
-    End       Theorem A1 of approach.md on the neighbourhood, and what is said of the G-spot (section 3)
+    End       Theorem A5 on the neighbourhood, and Theorem A6: the sign of C_1 for 1 < β < 2 (section 3)
 """
 
 from __future__ import annotations
@@ -25,7 +25,6 @@ from run import BITS, WORK, WORK_PER_BYTE, Curve, Errors, Step, decimal, positiv
 VERSION = 6
 HYPOTHESES = ["approach", "approach_certificate", "run_certificate"]
 TIME = "t"  # a state beside those of the mechanism
-TERM = 3  # operations of the interpreter for a term that is differentiated
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Slip: the flow with the G-spot as an equilibrium.
@@ -83,7 +82,6 @@ class Slip:
         }
         self.rates[TIME] = p  # dt = p ds
         self.names = sorted(self.rates)
-        meter.spend(0, TERM * sum(map(len, self.rates.values())) * len(self.names))
         self.jacobian = [[self.rates[i].by(j) for j in self.names] for i in self.names]
         watched = {"b ≥ 0": -b} | ({} if surface is None else {"slip that ends": self.of["u"] - number(surface)})
         self.slope = None if surface is None else watched["slip that ends"]
@@ -128,11 +126,12 @@ def follow(slip: Slip, box: Box, numbers: Numbers, lines: Sequence[bytes]) -> Bo
 
 
 class Reached(NamedTuple):
-    """States at the G-spot, a bound of the time that is left, and whether C_1 < 0 is certain."""
+    """States at the G-spot, a bound of the time that is left, and the certain sign of C_1 (Theorem A5), 0 if there is
+    none."""
 
     place: Box
     time: int
-    below: bool
+    sign: int
 
 
 def read_neighbourhood(value: Any, slip: Slip, numbers: Numbers) -> Box:
@@ -145,7 +144,7 @@ def read_neighbourhood(value: Any, slip: Slip, numbers: Numbers) -> Box:
 
 
 def captured(slip: Slip, at: Box, box: Box, numbers: Numbers) -> Reached:
-    """Theorem A1 from all states ``at`` with p > 0, in the neighbourhood ``box``."""
+    """Theorem A5 from all states ``at`` with p > 0, in the neighbourhood ``box``."""
     one, nothing = numbers.one, Polynomial()
     first, second, third = (slip.of[f"α_{k}"].on(box, numbers) for k in (1, 2, 3))
     require(first[1] < 0 and third[1] < 0, "α_1 and α_3 are not certainly negative in the neighbourhood")
@@ -164,7 +163,36 @@ def captured(slip: Slip, at: Box, box: Box, numbers: Numbers) -> Reached:
     require(second[1] < 0 or grows, "λ_N > 0 is not certain in the neighbourhood")
     if slip.slope is not None:
         require(slip.slope.on(box, numbers)[0] > 0, "slip is not certainly positive in the neighbourhood")
-    return Reached(place, time, rate > 0 and rate * force > max(second[1], 0) * one)
+    return Reached(place, time, -1 if rate > 0 and rate * force > max(second[1], 0) * one else 0)
+
+
+def quotient(a: Interval, d: Interval, numbers: Numbers) -> Interval:
+    """a/d, d < 0."""
+    return numbers.mul(negative(a), numbers.reciprocal(negative(d)))
+
+
+def side(slip: Slip, at: Box, box: Box, numbers: Numbers) -> int:
+    """The certain sign of C_1 where 1 < β < 2 in the neighbourhood ``box`` of the states ``at`` (Theorem A6); or 0."""
+    mul, meter = numbers.mul, numbers.meter
+    a, d = slip.of["α_2"], slip.of["α_3"] - slip.of["α_1"]
+    fall, rate = d.on(box, numbers), (d - slip.of["α_1"]).on(box, numbers)[0]
+    p = slip.of["p"].on(at, numbers)
+    if fall[1] >= 0 or rate <= 0 or p[0] <= 0:
+        return 0
+    force = mul(negative(slip.of["b"].on(at, numbers)), numbers.reciprocal(p))
+    limit = quotient(a.on(box, numbers), fall, numbers)  # ℓ
+    forces = min(force[0], limit[0]), max(force[1], limit[1])  # Λ
+    rates = []  # of α_2 and α_3 - α_1 by t, with λ in Λ
+    for function in (a, d):
+        free, pushed = (along(function, field, meter).on(box, numbers) for field in (slip.F, slip.G))
+        rates.append(add(free, mul(forces, pushed)))
+    bent = add(rates[0], negative(mul(limit, rates[1])))
+    slope = size(quotient(bent, fall, numbers))  # m, as ℓ' = (α_2' - ℓ d')/d
+    excess = add(force, negative(quotient(a.on(at, numbers), d.on(at, numbers), numbers)))
+    for sign, least in ((-1, excess[0]), (1, -excess[1])):
+        if least * rate > slope * p[1]:
+            return sign
+    return 0
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -190,8 +218,9 @@ def check_approach(hypotheses: Any, statement: Any, lines: Sequence[bytes], limi
     """The statement that a certificate of so many bytes proves; ``lines``: those after the first."""
     require(hypotheses == HYPOTHESES, "the pages are not those of an approach")
     names = ("C_1", "alpha", "beta", "kind", "mechanism", "place", "start", "surface", "time")
-    below, alpha, beta, kind, mechanism, place, start, surface, time = entries(statement, "the statement", *names)
+    claimed, alpha, beta, kind, mechanism, place, start, surface, time = entries(statement, "the statement", *names)
     require(kind == "approach", "unknown kind of statement")
+    require(isinstance(claimed, list), "the sign of C_1")
     require(isinstance(surface, list) and len(surface) <= 1, "the surface is not [] or [velocity]")
     require(isinstance(alpha, list) and len(alpha) == 3, "there are not three ranges of α")
     require(len(lines) >= 2, "there are not two lines after the first")
@@ -202,23 +231,27 @@ def check_approach(hypotheses: Any, statement: Any, lines: Sequence[bytes], limi
     exact = read_numbers(start, "the start", *slip.own)
     at = follow(slip, slip.first_box(exact, numbers), numbers, lines[1:-1])
     (box,) = entries(read_line(lines[-1]), "the last line", "neighbourhood")
-    end = captured(slip, at, read_neighbourhood(box, slip, numbers), numbers)
+    neighbourhood = read_neighbourhood(box, slip, numbers)
+    end = captured(slip, at, neighbourhood, numbers)
     require(short(time) * numbers.one >= at[TIME][1] + end.time, "the G-spot may be reached after the time")
     where = entries(place, "the place", *slip.own)
     said = [holds(claim, end.place[name], numbers, name) for name, claim in zip(slip.own, where, strict=True)]
     found = {name: slip.of[name].on(end.place, numbers) for name in ("α_1", "α_2", "α_3")}
-    ratio = numbers.mul(negative(found["α_3"]), numbers.reciprocal(negative(found["α_1"])))
+    ratio = quotient(found["α_3"], found["α_1"], numbers)
     signs = [holds(claim, value, numbers, name) for claim, (name, value) in zip(alpha, found.items(), strict=True)]
     signs.append(holds(beta, ratio, numbers, "β = α_3/α_1"))
-    require(below in ([], ["negative"]), "the sign of C_1")
-    require(end.below or not below, "C_1 < 0 is not certain")
+    if claimed:
+        require(claimed in (["negative"], ["positive"]), "the sign of C_1")
+        sign = end.sign or side(slip, at, neighbourhood, numbers)
+        require(sign == (-1 if claimed == ["negative"] else 1), "the sign of C_1 is not certain")
+        signs.append("C_1 < 0" if sign < 0 else "C_1 > 0")
     began = ", ".join(f"{name} = {value}" for name, value in exact.items())
     slides = f"x' > {surface[0]}" if surface else "provided that slip is positive until then, which is not shown"
     return (
         f"{slip.mechanism.words()}, in positive slip, λ_T = -μ λ_N, on the rigid contact y = 0 from {began}, t = 0: "
         f"with p = dy/dq M^-1 (dy/dq - μ dx/dq) and b = y'' at λ_N = 0 it reaches a G-spot, p = b = 0, at a time "
         f"t <= {decimal(short(time))}, λ_N > 0 until then, {slides}; "
-        f"there {', '.join(said)}, {', '.join(signs)}{', C_1 < 0' * bool(below)}"
+        f"there {', '.join(said + signs)}"
     )
 
 

@@ -63,11 +63,12 @@ def assert_only_exact(value: Any) -> None:
 
 
 def test_the_checker_asks_for_the_same_pages_of_each_version() -> None:
-    run, passage = runs.part("run"), mutate.checker().passage
+    run, passage, approach = runs.part("run"), mutate.checker().passage, mutate.checker().approach
     asked = dict(mutate.checker().pieces.HYPOTHESES)
-    asked |= {run.VERSION: run.HYPOTHESES, passage.VERSION: passage.HYPOTHESES}
+    asked |= {part.VERSION: part.HYPOTHESES for part in (run, passage, approach)}
     assert {version: list(names) for version, names in text.HYPOTHESES.items()} == asked
-    assert (run.VERSION, passage.VERSION) == (text.RUN_VERSION, text.PASSAGE_VERSION)
+    versions = (text.RUN_VERSION, text.PASSAGE_VERSION, text.APPROACH_VERSION)
+    assert (run.VERSION, passage.VERSION, approach.VERSION) == versions
 
 
 def test_every_page_that_is_named_exists() -> None:

@@ -261,7 +261,7 @@ def test_work_is_paid_in_the_arithmetic_alone() -> None:
     of_theta = {"product", "dot", "combined", "weighted", "rounded_powers"}
     assert paying == of_theta | {
         "interval", "reciprocal", "sine_cosine", "term", "on", "inverse", "length", "apply_up",
-        "multiple", "convolution", "put_in", "common_denominator",
+        "multiple", "convolution", "put_in", "paid", "common_denominator",
     }  # fmt: skip
 
 

@@ -175,7 +175,7 @@ def test_the_reach_is_that_of_the_page() -> None:
     found = end(stub())
     assert found.time == in_units(Fraction(1, 16))
     assert found.place == {"x": (-in_units(RHO), in_units(RHO))}
-    assert found.below is True
+    assert found.sign == -1
 
 
 def test_the_reach_lies_in_the_interior() -> None:
@@ -218,13 +218,13 @@ def test_the_force_stays_positive_where_it_rises() -> None:
     wide = {"low": Fraction(-20), "high": Fraction(20)}
     steep = {"slope": 30, "α_1": "-5/4"}
     assert refused(stub(**steep, α_2="1/2"), **wide) == "λ_N > 0 is not certain in the neighbourhood"
-    assert end(stub(**steep, α_2=Fraction(1, 2) - UNIT), **wide).below is True
-    assert end(stub(**steep, α_2=-UNIT), **wide).below is True
+    assert end(stub(**steep, α_2=Fraction(1, 2) - UNIT), **wide).sign == -1
+    assert end(stub(**steep, α_2=-UNIT), **wide).sign == -1
     # α_3 < α_1, or both the same: α_2 < 0 alone helps, and nothing is said of C_1.
     for first in ("-1", "-3/4"):
         slower = {"slope": 30, "α_1": first}
         assert refused(stub(**slower, α_2=0), **wide) == "λ_N > 0 is not certain in the neighbourhood"
-        assert end(stub(**slower, α_2=-UNIT), **wide).below is False
+        assert end(stub(**slower, α_2=-UNIT), **wide).sign == 0
 
 
 def test_the_ends_of_the_states_count() -> None:
@@ -244,7 +244,70 @@ def test_the_ends_of_the_states_count() -> None:
     with pytest.raises(limits.Rejected, match="λ_N > 0"):
         approach.captured(slip, at, {"x": (in_units(-99), in_units(99))}, intervals.Numbers(64, meter()))
     slip.of["α_2"] = model.number(Fraction(4, 3) - 4 * UNIT)
-    assert approach.captured(slip, at, {"x": (in_units(-99), in_units(99))}, intervals.Numbers(64, meter())).below
+    assert approach.captured(slip, at, {"x": (in_units(-99), in_units(99))}, intervals.Numbers(64, meter())).sign == -1
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# The side: Theorem A6 on numbers of our own.
+# ---------------------------------------------------------------------------------------------------------------------
+
+
+def side_of(force: Fraction, width: Fraction = Fraction(1, 2**40), **changes: Any) -> int:
+    """From x = 0 with p = 1/16 and b = -force/16: α = (-1, -1 - x, -3/2 + x/8), F = 1, G = 0; |x| ≤ width on N.
+
+    Then ℓ = (1 + x)/(1/2 - x/8) is 2, it rises by 5/2 with x, and κ = 1/2: the bound mp/κ is 5/16.
+    """
+    x, number = model.state("x"), model.number
+    given = {"p": Fraction(1, 16), "b": -force / 16, "α_1": Fraction(-1), "F": Fraction(1), "G": Fraction(0)} | changes
+    of = {name: number(value) for name, value in given.items() if name not in "FG"}
+    of |= {"α_2": number(-1) - x, "α_3": number(Fraction(-3, 2)) + number(Fraction(1, 8)) * x} | {
+        name: number(value) for name, value in changes.items() if name in ("α_2", "α_3")
+    }
+    slip = SimpleNamespace(of=of, F={"x": number(given["F"])}, G={"x": number(given["G"])}, states=["x"])
+    box = {"x": (in_units(-width), in_units(width))}
+    return int(approach.side(slip, {"x": (0, 0)}, box, intervals.Numbers(64, meter())))
+
+
+NEAR = Fraction(1, 2**30)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_side_is_certain_from_the_bound_of_the_page_on(sign: int) -> None:
+    assert side_of(2 + sign * (Fraction(5, 16) + NEAR)) == -sign
+    assert side_of(2 + sign * (Fraction(5, 16) - NEAR)) == 0
+
+
+def test_the_force_pushes_the_limit() -> None:
+    """F = 0, G = 1: ℓ' = 5λ/2 with the largest λ between -b/p and ℓ; the bound is 5λ/16."""
+    for force, expected in (("3", -1), ("32/11", 0), ("33/11", -1), ("31/11", 0)):
+        assert side_of(Fraction(force), F=Fraction(0), G=Fraction(1)) == expected  # 2 + 5λ/16 < λ from 32/11 on
+    for force, expected in (("22/16", 0), ("11/8", 0), ("21/16", 1)):
+        assert side_of(Fraction(force), F=Fraction(0), G=Fraction(1)) == expected  # the largest is ℓ = 2: 5/8
+
+
+def test_all_of_the_neighbourhood_counts() -> None:
+    assert side_of(2 + Fraction(6, 16), width=Fraction(1, 64)) == -1
+    assert side_of(2 + Fraction(6, 16), width=Fraction(1, 2)) == 0
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"α_3": Fraction(-1)},  # β = 1
+        {"α_3": Fraction(-1, 2)},
+        {"α_3": Fraction(-2)},  # β = 2
+        {"α_3": Fraction(-3)},
+        {"p": Fraction(0)},
+        {"p": Fraction(-1, 16)},
+    ],
+)
+def test_no_side_without_its_hypotheses(changes: dict[str, Any]) -> None:
+    assert side_of(Fraction(200), **changes) == 0
+
+
+def test_a_side_for_beta_just_between() -> None:
+    assert side_of(Fraction(2000), α_3=Fraction(-1) - Fraction(1, 64)) == -1
+    assert side_of(Fraction(2000), α_3=Fraction(-2) + Fraction(1, 64)) == -1
 
 
 def test_what_is_claimed_holds_what_was_found() -> None:

@@ -57,7 +57,7 @@ def approach(
     lines of a CSV file; a row that is refused or undecided says why, and then the exit code is 2.
 
     --certificate is for mechanisms of sines, cosines and powers with x, as it is for `simulate`; the components of the
-    state must be rational numbers, an angle its reference and one. C1 is in it where β < 1 alone.
+    state must be rational numbers, an angle its reference and one. The sign of C1 is in it where β < 2.
     """
     if table is not None:
         refuse(

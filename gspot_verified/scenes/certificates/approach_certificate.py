@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from gspot_verified.certificates.checker import check
+from gspot_verified.certificates.checker import CheckResult, check
 from gspot_verified.certificates.text import APPROACH_VERSION, sealed, write_text
 from gspot_verified.functions.rings import RATIONALS
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep, Steps
@@ -24,7 +24,7 @@ from gspot_verified.mechanisms.approach.slip_state import StateError, StateInput
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism, Place
 from gspot_verified.mechanisms.spots.g_spot import place_in
-from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, exact, working_bits
+from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, exact, hull, working_bits
 from gspot_verified.scenes.certificates.bounded_step import NotBounded, bounded_step, grid, pair
 from gspot_verified.scenes.certificates.polynomial_slip import TIME, PolynomialSlip
 
@@ -35,6 +35,7 @@ _SPARE_BITS = 64  # more than the checker's, for this file's own balls
 _GUARD_BITS = 32  # of the steps' bits that coefficients do not use
 _NEAR = fmpq(1, 2**20)  # how far a state may still move by Theorem A1, where the way ends
 _ROOM = fmpq(1, 2**30)  # relative, by which what is said of the G-spot is wider than needed
+_LARGEST_BETA = 2  # up to which Theorem A6 says something
 _PLACES = 9  # decimals of what the statement says
 
 
@@ -43,7 +44,7 @@ def approach_certificate(mechanism: Mechanism, state: StateInput, *, surface_vel
     until when, with a positive contact force until then. The checker was asked before.
 
     ``state`` and ``surface_velocity`` as in ``approach``; the components are rational numbers, of an angle with a
-    reference what is added to that. The side of the motion at the G-spot is part of it where beta < 1 alone: C_1 < 0.
+    reference what is added to that. The sign of C_1 is part of it for beta < 2 alone.
 
     :raises StateError: no such state, or a component that is not rational.
     :raises NotPolynomial: no certificate covers the mechanism; the message says why.
@@ -60,21 +61,32 @@ def approach_certificate(mechanism: Mechanism, state: StateInput, *, surface_vel
         slip_state(shifted, state)
     start = _exact_start(shifted, state, slip)
     velocity = _velocity(slip, start, surface_velocity)
+    written: str | None = None
     reason = NotBounded("no way to a G-spot was found")
     for bits in _PRECISIONS:
         try:
-            text = _Writer(slip, start, velocity).text(bits)
+            statement, text = _Writer(slip, start, velocity).text(bits)
         except NotBounded as error:
             reason = error
             continue
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "approach.cert"
-            write_text(file, text)
-            answer = check(file)
+        answer = _answer(text)
         if answer.verified:
-            return text
-        reason = NotBounded(f"the checker does not confirm the certificate: {answer.text}")
-    raise reason
+            written = text
+            if statement["C_1"] or not fmpq(statement["beta"][0]) < _LARGEST_BETA:  # more bits would not say more
+                break
+        else:
+            reason = NotBounded(f"the checker does not confirm the certificate: {answer.text}")
+    if written is None:
+        raise reason
+    return written
+
+
+def _answer(text: str) -> CheckResult:
+    """What the checker says."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "approach.cert"
+        write_text(file, text)
+        return check(file)
 
 
 def _exact_start(shifted: Shifted, state: StateInput, slip: PolynomialSlip) -> dict[str, fmpq]:
@@ -125,8 +137,8 @@ class _Writer:
     def __init__(self, slip: PolynomialSlip, start: Mapping[str, fmpq], velocity: fmpq | None) -> None:
         self._slip, self._start, self._velocity = slip, start, velocity
 
-    def text(self, bits: int) -> str:
-        """The certificate, by steps of so many bits."""
+    def text(self, bits: int) -> tuple[dict[str, Any], str]:
+        """The statement, and the certificate, by steps of so many bits."""
         with working_bits(bits):
             steps = self._way()
         last = bits + _CHECKER_BITS
@@ -137,7 +149,7 @@ class _Writer:
                 raise NotBounded("the bounds of a certificate are too wide where slip reaches the G-spot")
             sides = {name: _outward(side, last) for name, side in zip(self._slip.names, found.box, strict=True)}
             statement = self._statement(states, found)
-        return sealed(APPROACH_VERSION, statement, [{"bits": last}, *lines, {"neighbourhood": sides}])
+        return statement, sealed(APPROACH_VERSION, statement, [{"bits": last}, *lines, {"neighbourhood": sides}])
 
     def _captured(self, states: Sequence[arb]) -> Capture | None:
         return capture(self._slip, states, None if self._velocity is None else ball(self._velocity))
@@ -185,10 +197,8 @@ class _Writer:
         slip = self._slip
         reached = [add_remainder(x, far * (1 + ball(_ROOM))) for x, far in zip(states, found.reach, strict=False)]
         place, at = dict(zip(slip.names, reached, strict=True)), slip.on(reached)
-        rises = (found.numbers.alpha_3 - found.numbers.alpha_1).lower()
-        below = rises > 0 and rises * slip.on(states).force.lower() > found.numbers.alpha_2.upper().max(arb(0))
         return {
-            "C_1": ["negative"] if below else [],
+            "C_1": self._side(states, found),
             "alpha": [_range(value) for value in (at.alpha_1, at.alpha_2, at.alpha_3)],
             "beta": _range(at.alpha_3 / at.alpha_1),
             "kind": "approach",
@@ -198,6 +208,22 @@ class _Writer:
             "surface": [] if self._velocity is None else [str(self._velocity)],
             "time": _range(states[-1] + found.time)[1],
         }
+
+    def _side(self, states: Sequence[arb], found: Capture) -> list[str]:
+        """The sign of C_1, where Theorem A5 or A6 gives it."""
+        slip, at, inside = self._slip, self._slip.on(states), found.numbers
+        rises = inside.alpha_3 - inside.alpha_1
+        if rises > 0 and rises.lower() * at.force.lower() > inside.alpha_2.upper().max(arb(0)):
+            return ["negative"]
+        rate = rises - inside.alpha_1
+        if not (rises < 0 and rate > 0):
+            return []
+        limit = inside.alpha_2 / rises
+        slope = slip.slope_of_limit(found.box, hull((at.force, limit))).abs_upper()
+        excess = at.force - at.alpha_2 / (at.alpha_3 - at.alpha_1)
+        if not excess.abs_lower() * rate.lower() > slope * at.p.upper():
+            return []
+        return ["negative"] if excess > 0 else ["positive"]
 
 
 def _outward(side: arb, last: int) -> list[list[int]]:

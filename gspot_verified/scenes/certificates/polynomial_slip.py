@@ -76,10 +76,18 @@ class PolynomialSlip:
             [expression(each, index) for each in (*scalars, *rows[0], *rows[1])], len(self.names)
         )
         self._index = index
+        limit = expression(scalars[4], index) / expression(scalars[5] - scalars[3], index)
+        self._limit = BoxProgram([limit], len(self.names))
 
     def on(self, box: Sequence[arb]) -> Numbers:
         """p, b, u, the α's, F and G on a box of the states."""
         return Numbers.of(self._program.values(list(box[: len(self.names)])))
+
+    def slope_of_limit(self, box: Sequence[arb], force: arb) -> arb:
+        """The rate of α_2/(α_3 - α_1) by time, where the contact force is ``force``."""
+        numbers, slopes = self.on(box), self._limit.gradients(list(box[: len(self.names)]))[1][0]
+        moves = (f + force * g for f, g in zip(numbers.F, numbers.G, strict=True))
+        return sum((slope * move for slope, move in zip(slopes, moves, strict=True)), arb(0))
 
     def start(self, own: Mapping[str, fmpq]) -> list[arb]:
         """All states where ``own`` are the coordinates and velocities, and the time 0."""

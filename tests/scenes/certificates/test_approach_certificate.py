@@ -6,6 +6,7 @@ Page: proofs/approach_certificate.md.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -22,7 +23,7 @@ from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.capture import Capture
 from gspot_verified.mechanisms.approach.slip_state import StateError
 from gspot_verified.mechanisms.derive.to_system import shift
-from gspot_verified.numbers.balls import add_remainder, float_bounds, working_bits
+from gspot_verified.numbers.balls import add_remainder, float_bounds, sign_of, working_bits
 from gspot_verified.scenes.certificates import approach_certificate as module
 from gspot_verified.scenes.certificates.approach_certificate import approach_certificate
 from gspot_verified.scenes.certificates.bounded_step import NotBounded
@@ -32,12 +33,12 @@ from gspot_verified.scenes.certificates.polynomial_slip import PolynomialSlip
 DATA = Path(__file__).resolve().parents[3] / "gspot_verified" / "mechanisms" / "data"
 PAPER = {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}
 ROD = {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": "1/2"}
-ACCEPTED: list[tuple[str, dict[str, Any], str | None, str, bool]] = [
-    ("rod", ROD, None, "x' > 0", True),
-    ("oscillator", PAPER, "-1", "x' > -1", False),
-    ("genot_brogliato_rod.toml", {"X": 0, "X_dot": 2, "theta": "637/1000", "theta_dot": "87/50"}, "1", "x' > 1", True),
-    ("gallery/ladder.toml", {"theta": "7/20", "theta_dot": "7/5"}, None, "which is not shown", True),
-    ("gallery/rod_with_wrist.toml", {"X": 0, "X_dot": 5, "theta": "39/50", "theta_dot": "79/25"}, None, "> 0", False),
+ACCEPTED: list[tuple[str, dict[str, Any], str | None, str, str]] = [
+    ("rod", ROD, None, "x' > 0", "<"),
+    ("oscillator", PAPER, "-1", "x' > -1", ""),
+    ("genot_brogliato_rod.toml", {"X": 0, "X_dot": 2, "theta": "637/1000", "theta_dot": "87/50"}, "1", "x' > 1", "<"),
+    ("gallery/ladder.toml", {"theta": "7/20", "theta_dot": "7/5"}, None, "which is not shown", "<"),
+    ("gallery/rod_with_wrist.toml", {"X": 0, "X_dot": 5, "theta": "39/50", "theta_dot": "79/25"}, None, "x' > 0", "<"),
 ]
 
 
@@ -50,9 +51,9 @@ def checked(text: str, tmp_path: Path) -> str:
     return check(tmp_path / "a.cert").text
 
 
-@pytest.mark.parametrize(("name", "state", "surface", "words", "below"), ACCEPTED, ids=[name for name, *_ in ACCEPTED])
+@pytest.mark.parametrize(("name", "state", "surface", "words", "sign"), ACCEPTED, ids=[name for name, *_ in ACCEPTED])
 def test_a_mechanism_with_a_certificate(
-    name: str, state: dict[str, Any], surface: str | None, words: str, below: bool, tmp_path: Path
+    name: str, state: dict[str, Any], surface: str | None, words: str, sign: str, tmp_path: Path
 ) -> None:
     """The checker says what `approach` found by other steps, of other functions."""
     mechanism = load(place(name))
@@ -60,7 +61,7 @@ def test_a_mechanism_with_a_certificate(
     said = checked(text, tmp_path)
     assert said.startswith("VERIFIED the mechanism M q'' = f")
     assert words in said
-    assert ("C_1 < 0" in said) is below
+    assert re.findall("C_1 (.) 0", said) == [*sign]
     statement = json.loads(text.splitlines()[0])["statement"]
     found = approach(mechanism, state, surface_velocity=surface)
     assert found.end == "G-spot"
@@ -74,7 +75,18 @@ def test_a_mechanism_with_a_certificate(
         low, high = (float(Fraction(end)) for end in claim)
         assert low - 1e-9 < float_bounds(value)[0] <= float_bounds(value)[1] < high + 1e-9
         assert high - low < 1e-3 * max(1, abs(low))
-    assert below is (float_bounds(found.coefficient)[1] < 0 and float_bounds(found.beta)[1] < 1)
+    if float_bounds(found.beta)[0] < 2:  # then the certificate says it
+        assert sign == {-1: "<", 1: ">"}[sign_of(found.coefficient) or 0]
+
+
+@pytest.mark.parametrize(("phi_dot", "sign"), [("-3/4", "<")])
+def test_the_side_for_beta_between_1_and_2(phi_dot: str, sign: str, tmp_path: Path) -> None:
+    mechanism, state = load("oscillator", beta="3/2"), {"phi": "phi_ref + 1/10", "phi_dot": phi_dot}
+    text = approach_certificate(mechanism, state, surface_velocity=-2)
+    assert f"C_1 {sign} 0" in checked(text, tmp_path)
+    found = approach(mechanism, state, surface_velocity=-2)
+    assert found.coefficient is not None
+    assert sign_of(found.coefficient) == (-1 if sign == "<" else 1)
 
 
 def test_the_shipped_certificate_is_that_of_the_library() -> None:
@@ -161,7 +173,7 @@ def test_a_lazy_prover(state: dict[str, Any], surface: Any, count: int, why: str
     start = module._exact_start(shifted, {"X": 0, "X_dot": 2} | state, slip)
     writer = Lazy(slip, start, surface)
     writer.count = count
-    said = checked(writer.text(128), tmp_path)
+    said = checked(writer.text(128)[1], tmp_path)
     assert said.startswith("REJECTED ")
     assert why in said
 
