@@ -68,7 +68,7 @@ def test_the_checker_asks_for_the_same_pages_of_each_version() -> None:
     asked |= {part.VERSION: part.HYPOTHESES for part in (run, passage, approach)}
     assert {version: list(names) for version, names in text.HYPOTHESES.items()} == asked
     versions = (text.RUN_VERSION, text.PASSAGE_VERSION, text.APPROACH_VERSION)
-    assert (run.VERSION, passage.VERSION, approach.VERSION) == versions
+    assert versions == (run.VERSION, passage.VERSION, approach.VERSION)
 
 
 def test_every_page_that_is_named_exists() -> None:

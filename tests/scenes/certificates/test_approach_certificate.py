@@ -79,9 +79,9 @@ def test_a_mechanism_with_a_certificate(
         assert sign == {-1: "<", 1: ">"}[sign_of(found.coefficient) or 0]
 
 
-@pytest.mark.parametrize(("phi_dot", "sign"), [("-3/4", "<")])
+@pytest.mark.parametrize(("phi_dot", "sign"), [("-4/5", "<"), ("-9/10", ">")])
 def test_the_side_for_beta_between_1_and_2(phi_dot: str, sign: str, tmp_path: Path) -> None:
-    mechanism, state = load("oscillator", beta="3/2"), {"phi": "phi_ref + 1/10", "phi_dot": phi_dot}
+    mechanism, state = load("oscillator", beta="3/2"), {"phi": "phi_ref + 1/20", "phi_dot": phi_dot}
     text = approach_certificate(mechanism, state, surface_velocity=-2)
     assert f"C_1 {sign} 0" in checked(text, tmp_path)
     found = approach(mechanism, state, surface_velocity=-2)
@@ -138,6 +138,42 @@ def test_a_state_without_one(state: dict[str, Any], surface: Any, why: str) -> N
 def test_no_way_to_a_g_spot(state: dict[str, Any], surface: str | None) -> None:
     with pytest.raises(NotBounded):
         approach_certificate(load("rod"), state, surface_velocity=surface)
+
+
+class Near(module._Writer):
+    """Takes no step: the neighbourhood is about the start."""
+
+    def _way(self) -> Any:
+        return []
+
+    def _written(self, steps: Any, unit: int, last: int) -> Any:  # noqa: ARG002
+        return [], self._slip.start(self._start)
+
+
+@pytest.mark.parametrize(
+    ("theta", "rate", "surface", "why"),
+    [
+        ("-1/1000000", "999999/1000000", fmpq(6, 5), ""),
+        ("-1/1000000", "1000001/1000000", None, "no neighbourhood"),  # b > 0
+        ("1/1000000", "1", None, "no neighbourhood"),  # p < 0
+    ],
+)
+def test_a_start_within_a_neighbourhood(theta: str, rate: str, surface: Any, why: str, tmp_path: Path) -> None:
+    """No step is needed, and none is written."""
+    shifted = shift(load("rod"))
+    slip = PolynomialSlip(shifted.mechanism)
+    state = {"X": 0, "X_dot": 2, "theta": f"theta_ref + {theta}", "theta_dot": rate}
+    writer = Near(slip, module._exact_start(shifted, state, slip), surface)
+    if why:
+        with pytest.raises(NotBounded):
+            writer.text(128)
+        return
+    text = writer.text(128)[1]
+    assert len(text.splitlines()) == 4
+    said = checked(text, tmp_path)
+    assert "VERIFIED" in said
+    assert "x' > 6/5" in said
+    assert "C_1 < 0" in said
 
 
 class Lazy(module._Writer):
