@@ -55,7 +55,7 @@ class Slip:
         pressed = [y - number(m.mu) * x for x, y in zip(by_x, by_y, strict=True)]  # by λ_N, with λ_T = -μ λ_N
         free = [w * dot(row, m.forces) for row in m.cofactors]
         pushed = [w * dot(row, pressed) for row in m.cofactors]
-        F, G = {INVERSE: -w * w * m.rate(det)} if self.inverse else {}, {}
+        F, G = {INVERSE: -w * w * m.rate(det)}, {}
         for q, dot_q, f, g in zip(m.coordinates, dots, free, pushed, strict=True):
             sine, cosine = f"sin({q})", f"cos({q})"
             F |= {m.place[q]: dot_q, f"{q}_dot": f, sine: dot_q * state(cosine), cosine: -dot_q * state(sine)}
@@ -159,11 +159,11 @@ def captured(slip: Slip, at: Box, box: Box, numbers: Numbers) -> Reached:
         inside = box[name][0] < place[name][0] and place[name][1] < box[name][1]
         require(inside, f"{name} may leave the neighbourhood")
     force, rate = -b[1] * one // p, (slip.of["α_3"] - slip.of["α_1"]).on(box, numbers)[0]
-    grows = rate > 0 and rate * force > second[1] * one
+    grows = rate * force > max(second[1], 0) * one  # only where rate > 0
     require(second[1] < 0 or grows, "λ_N > 0 is not certain in the neighbourhood")
     if slip.slope is not None:
         require(slip.slope.on(box, numbers)[0] > 0, "slip is not certainly positive in the neighbourhood")
-    return Reached(place, time, -1 if rate > 0 and rate * force > max(second[1], 0) * one else 0)
+    return Reached(place, time, -1 if grows else 0)
 
 
 def quotient(a: Interval, d: Interval, numbers: Numbers) -> Interval:

@@ -187,6 +187,7 @@ REJECTED: list[tuple[str, Change, str]] = [
     ("a surface that is none", state("surface", to="0"), "the surface is not"),
     ("a surface in decimals", state("surface", to=["0.5"]), "is not a rational number"),
     ("two α's", state("alpha", to=lambda a: a[:2]), "there are not three ranges"),
+    ("a range as a text", state("beta", to="01"), "is not a pair"),
     ("a range of one number", state("beta", to=["1/3"]), "is not a pair"),
     ("another kind", state("kind", to="run"), "unknown kind"),
     ("a key more", state("side", to="lift-off"), "has not the keys"),
@@ -256,6 +257,32 @@ def test_a_coordinate_has_no_name_of_the_statement(name: str) -> None:
 
     with pytest.raises(check.limits.Rejected, match="a name of something else"):
         said(change)
+
+
+@pytest.mark.parametrize(("sign", "word", "other"), [(1, "positive", "negative"), (-1, "negative", "positive")])
+def test_the_sign_of_c_1_is_that_of_theorem_a6(
+    sign: int, word: str, other: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where Theorem A5 gives none."""
+    captured = check.approach.captured
+    monkeypatch.setattr(check.approach, "captured", lambda *given: captured(*given)._replace(sign=0))
+    monkeypatch.setattr(check.approach, "side", lambda *_: sign)
+    assert said(state("C_1", to=[word])).endswith(f", C_1 {'>' if sign > 0 else '<'} 0")
+    with pytest.raises(check.limits.Rejected, match="the sign of C_1 is not certain"):
+        said(state("C_1", to=[other]))
+
+
+def test_signs_are_asked_from_the_start_to_the_end_of_each_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = []
+    positive = check.approach.positive
+
+    def recorded(step: Any, event: Any, a: int, b: int) -> bool:
+        asked.append((a, b))
+        return bool(positive(step, event, a, b))
+
+    monkeypatch.setattr(check.approach, "positive", recorded)
+    said()
+    assert asked == [(0, 2**192)] * 2 * (LAST - 2)
 
 
 def test_a_key_twice() -> None:

@@ -131,6 +131,19 @@ def test_the_start_is_on_the_circle_and_its_box_is_narrow() -> None:
         assert box[name][1] - box[name][0] <= 64
 
 
+@pytest.mark.parametrize("name", ["oscillator", f"{DATA}gallery/compass_biped.toml"])
+def test_the_start_has_the_inverse_of_the_determinant(name: str) -> None:
+    polynomials = PolynomialMechanism(shift(load(mutate.CHECKER.parents[1] / name if "/" in name else name)).mechanism)
+    slip = approach.Slip(check.mechanism.Mechanism(polynomials.given), None, meter())
+    slip.of["p"] = model.number(1)
+    numbers = intervals.Numbers(128, meter())
+    box = slip.first_box({each: Fraction(k, 7) for k, each in enumerate(slip.own)}, numbers)
+    assert len(slip.minors) == len(polynomials.coordinates)
+    with working_bits(200):
+        values = {each: arb(side[0]) / numbers.one for each, side in box.items()}
+        assert abs(at_balls(slip.minors[-1], values) * values["1/det M"] - 1) < arb(2) ** -100
+
+
 # ---------------------------------------------------------------------------------------------------------------------
 # The end: Theorem A5 on numbers of our own.
 # ---------------------------------------------------------------------------------------------------------------------
@@ -283,6 +296,14 @@ def test_the_force_pushes_the_limit() -> None:
         assert side_of(Fraction(force), F=Fraction(0), G=Fraction(1)) == expected  # 2 + 5λ/16 < λ from 32/11 on
     for force, expected in (("22/16", 0), ("11/8", 0), ("21/16", 1)):
         assert side_of(Fraction(force), F=Fraction(0), G=Fraction(1)) == expected  # the largest is ℓ = 2: 5/8
+
+
+def test_the_least_limit_counts() -> None:
+    """ℓ = 2 + 2x and ℓ' = 2(λ - 59/20), p = 15/32, λ - ℓ = 19/10: m = 29/10 from λ = 3/2 on the wide N is too much."""
+    force, p = Fraction(39, 10), Fraction(15, 32)
+    given = {"α_3": Fraction(-3, 2), "p": p, "b": -force * p, "F": Fraction(-59, 20), "G": Fraction(1)}
+    assert side_of(force, Fraction(1, 4), **given) == 0
+    assert side_of(force, Fraction(1, 2**20), **given) == -1
 
 
 def test_all_of_the_neighbourhood_counts() -> None:
