@@ -29,7 +29,7 @@ from gspot_verified.mechanisms.spots.g_spot import (
     place_in,
     prove_near,
     shifted_conditions,
-    short_component,
+    whole_component,
 )
 from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, Patch, in_words
 from gspot_verified.mechanisms.spots.search_region import Region, fixed_name, search_region
@@ -190,7 +190,7 @@ class _Search:
 
     def _region_in_words(self, spots: Sequence[GSpot]) -> str:
         mechanism = self._shifted.mechanism
-        place = {word: short_component(mechanism, word, value) for word, value in self._place.items()}
+        place = {word: whole_component(mechanism, word, value) for word, value in self._place.items()}
         text = self._region.in_words(self._apart, place, *self._as_shown(spots))
         return f"{text}; the given conditions J = 0" if mechanism.place.conditions else text
 
@@ -213,7 +213,7 @@ class _Search:
             self._account.stages += shown
             return {}, one_period
         mechanism, chosen = self._shifted.mechanism, self._whole.chosen_free()
-        return {i: short_component(mechanism, self._state[i], chosen[i]) for i in seen}, one_period
+        return {i: whole_component(mechanism, self._state[i], chosen[i]) for i in seen}, one_period
 
     def _sign_of_p(self) -> SignOfP | None:
         """That of p in every state of the region with y = 0; asked where there is no G-spot."""

@@ -22,7 +22,7 @@ from gspot_verified.mechanisms.derive.mass_matrix import leading_minors
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift, stays
 from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED
 from gspot_verified.mechanisms.input.mechanism import Mechanism
-from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, place_in, short_component
+from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, place_in, whole_component
 from gspot_verified.mechanisms.spots.g_spot_list import in_words
 from gspot_verified.mechanisms.spots.search_region import fixed_name
 from gspot_verified.mechanisms.spots.sign_of_p import widest
@@ -157,7 +157,7 @@ class _Maximum:
         if fixed:
             values = self._solved_for(fixed)
         self.held = tuple(
-            (word, short_component(self._mechanism, word, given))
+            (word, whole_component(self._mechanism, word, given))
             for word, given in place_in(shifted, BALLS).items()
             if self._mechanism.state.index(word) in fixed
         )

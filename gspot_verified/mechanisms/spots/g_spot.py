@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from flint import arb
+from flint import arb, fmpq
 
 from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.expansion.series.terms import NumberTerms
@@ -25,9 +25,9 @@ from gspot_verified.mechanisms.formulas.simplify import constant, product_of, ra
 from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.zeros.newton import NotFoundError, newton_point, proved_box
-from gspot_verified.numbers.balls import Exact, ball_text, working_bits
+from gspot_verified.numbers.balls import Exact, ball_text, exact, working_bits
 from gspot_verified.numbers.evidence import every
-from gspot_verified.numbers.short_text import table_text
+from gspot_verified.numbers.short_text import short_text, table_text
 from gspot_verified.numbers.verdict import Evidence
 
 DEFAULT_BITS = 128  # working bits of the search and of its proof: more give a narrower box
@@ -76,8 +76,17 @@ class GSpot:
 
 def short_component(mechanism: Mechanism, word: str, value: Exact) -> str:
     """A component of the shifted state for a table; an angle with a reference as ``reference + deviation``."""
+    return _counted_from(mechanism, word, table_text(value))
+
+
+def whole_component(mechanism: Mechanism, word: str, value: Exact) -> str:
+    """The same for a statement: no digit is cut off, what is not exact is a ball."""
+    number = exact(value, word)
+    return _counted_from(mechanism, word, short_text(number) if isinstance(number, fmpq) else ball_text(number))
+
+
+def _counted_from(mechanism: Mechanism, word: str, text: str) -> str:
     reference = next((angle.name for angle in mechanism.angles if angle.coordinate == word), None)
-    text = table_text(value)
     if reference is None:
         return text
     if text in ("0", "0.000000"):

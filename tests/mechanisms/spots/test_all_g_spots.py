@@ -40,11 +40,11 @@ def classical_rod(mu: Fraction, length: Fraction = Fraction(1), gravity: Fractio
     return shipped_mechanism("genot_brogliato_rod", mu=mu, L=length, g=gravity)
 
 
-def polynomial(p: str, b: str, extra: tuple[str, ...] = ("w", "s"), fixed: bool = True) -> Mechanism:
+def polynomial(p: str, b: str, extra: tuple[str, ...] = ("w", "s"), fixed: bool = True, x: str = "0") -> Mechanism:
     """A system with these p and b, functions of further components; A = 2, C = 1, B = 1 - p, mu = 1."""
     state = ["x", "u", "y", "v", *extra]
     none = [0] * len(extra)
-    options: dict[str, Any] = {"fixed": ["x", "u"], "place": {"x": 0, "u": 1}} if fixed else {}
+    options: dict[str, Any] = {"fixed": ["x", "u"], "place": {"x": x, "u": 1}} if fixed else {}
     return from_fields(
         "polynomial", state, ["u", 0, "v", b, *([1] * len(extra))], [0, 2, 0, f"1 - ({p})", *none],
         [0, f"1 - ({p})", 0, 1, *none], "x", "y", 1, **options,
@@ -773,3 +773,10 @@ def test_where_a_spring_breaks_the_period_the_searched_interval_is_said(box: Any
         ValueError, match="G-spots in the region searched by default" if box is None else "G-spots .class"
     ):
         found.spot(99)
+
+
+def test_a_fixed_component_is_named_exactly() -> None:
+    """With x = 0.333333, six digits of it, there is no G-spot: w^2 + s^2 < 0."""
+    found = find_g_spots(polynomial("w^2 + s^2 - x + 33333305/100000000", "w - s", x="3333331/10000000"))
+    assert len(found.spots) == 2
+    assert "x = [0.333333100000000 +/- 3e-20], u = 1 fixed" in str(found)
