@@ -69,9 +69,13 @@ class GSpot:
         return components
 
     def in_short(self) -> dict[str, str]:
-        """The same for a table: exact numbers where they are short, six digits elsewhere."""
+        """The same for a table: exact numbers where they are short, six digits elsewhere; all of them of what is fixed,
+        which a statement names."""
         pairs = zip(self.mechanism.state, self.system.point, strict=True)
-        return {word: short_component(self.mechanism, word, value) for word, value in pairs}
+        return {
+            word: (whole_component if word in self.fixed else short_component)(self.mechanism, word, value)
+            for word, value in pairs
+        }
 
 
 def short_component(mechanism: Mechanism, word: str, value: Exact) -> str:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
-from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.load import load
+from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_text
 from gspot_verified.mechanisms.spots.classify import Classification, classify
 from gspot_verified.mechanisms.spots.classify_all import classify_all
 from gspot_verified.mechanisms.spots.spot_table import one_spot, spot_table
@@ -87,3 +89,11 @@ def test_notes_and_fixed_components_are_said_once() -> None:
 
 def test_no_spots_no_table() -> None:
     assert spot_table([]) == []
+
+
+def test_a_fixed_component_has_all_of_its_digits(tmp_path: Path) -> None:
+    text = shipped_text("rod").replace("X_dot = 2\n", 'X_dot = "2.000000001"\n')
+    (tmp_path / "rod.toml").write_text(text, encoding="utf-8")
+    first, _, row, *_ = one_spot(classify(load(tmp_path / "rod.toml"))).splitlines()
+    assert first.endswith("; X = 0, X_dot = 2.000000001 fixed")
+    assert " 1.40000 " in row
