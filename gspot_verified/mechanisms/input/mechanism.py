@@ -158,7 +158,7 @@ class Mechanism(Shown):
     def changed(self, **values: ExactInput | None) -> Mechanism:
         """As :meth:`with_parameters`; the name says which values are others.
 
-        >>> from gspot_verified.mechanisms.load import load
+        >>> from gspot_verified import load
         >>> load("rod").changed(mu=2, m=1).changed(mu="1.5").name
         'falling rod, mu = 3/2'
         """
