@@ -20,9 +20,9 @@ from gspot_verified.compliant.patches.slow_patch import SlowPatch
 from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_zeros
 from gspot_verified.compliant.zeros.slow_zero_column import MAP_REACH, slow_zero_column
 from gspot_verified.compliant.zeros.zero_count import SYSTEM
-from gspot_verified.numbers.balls import approximate
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import at_most, cover, every, theorem
+from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.journal import Journal, opened
@@ -146,7 +146,7 @@ class ZeroMap(NoTruthValue, Written):
         for row in self.rows:
             parts = [f"{_numbers_text(numbers)} on ({a}, {b})" for a, b, numbers in row.stretches()]
             parts += [f"? on ({a}, {b})" for a, b in _joined(row.unfinished)]
-            lines.append(f"  ε in [{_short(row.lower)}, {_short(row.upper)}]: " + ", ".join(parts))
+            lines.append(f"  ε in [{short_text(row.lower)}, {short_text(row.upper)}]: " + ", ".join(parts))
         if any(len(numbers) == 2 for row in self.rows for _, _, numbers in row.stretches()):
             lines.append(
                 "  a | b on a range: at each ε there is one β_f; a zeros for β < β_f, b for β > β_f (in the range)"
@@ -295,7 +295,3 @@ def _law_below_4(beta: tuple[fmpq, fmpq]) -> str:
 
 def _numbers_text(numbers: tuple[int, ...]) -> str:
     return " | ".join(map(str, numbers))
-
-
-def _short(value: fmpq) -> str:
-    return f"{approximate(value):.4g}"

@@ -20,6 +20,7 @@ from gspot_verified.compliant.zeros.fold_column import (
 )
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
 from gspot_verified.compliant.zeros.zero_map import Row, examine, least_work, zero_map
+from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.work.ranges import Range
@@ -257,3 +258,10 @@ def test_columns_and_rows_are_those_of_the_rectangle() -> None:
 )
 def test_the_law_below_4_in_words(beta: str, text: str) -> None:
     assert str(zero_map(beta, "1")).splitlines()[1] == f"  β < 4, every ε > 0, by theorem: {text}"
+
+
+def test_the_rows_are_named_exactly() -> None:
+    """The number is proved up to their ends; with four digits the first began at 0.3333, below the 1/3 asked for."""
+    found = zero_map("17/4..35/8", "1/3..1/2")
+    (row,) = [line for line in str(found).splitlines() if "ε in [1/3" in line and ": 2 on (17/4, 35/8)" in line]
+    assert row.startswith(f"  ε in [1/3, {short_text(found.rows[0].upper)}]: ")
