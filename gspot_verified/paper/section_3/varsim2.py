@@ -130,7 +130,7 @@ def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:
         Check(
             Rung.BALLS,
             "certified run of the extended system by the validated integrator",
-            happens(run_of(chi, nu), RUNS[chi, nu]),
+            all_of([happens(run_of(chi, nu), RUNS[chi, nu]), *([grows_after_the_spot(nu)] if chi == 0 else [])]),
             _times(run_of(chi, nu)),
         ),
         second,
@@ -146,7 +146,9 @@ def _one_way(nu: fmpq) -> Entry:
         all_of([floats_agree(0, nu), sticks_first(nu)]),
         f"u(0.1) = {ball_text(slip_velocity(nu, fmpq(1, 10)), 8)}",
     )
-    return _run(0, nu, second, "The impact is listed where λ_N is proved to grow for as long as the contact slips.")
+    return _run(
+        0, nu, second, "The impact is listed where λ_N is proved to grow for as long as the contact slips, after p = 0."
+    )
 
 
 def _two_way(nu: fmpq) -> Entry:

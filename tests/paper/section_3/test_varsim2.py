@@ -213,6 +213,16 @@ def test_the_two_way_runs_are_compared_with_their_own_float_run(
     assert slow == {QUARTER: False, FOUR: True}
 
 
+def test_an_impact_that_is_listed_is_seen_to_grow(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:
+    def first_checks() -> dict[tuple[int, fmpq], bool | None]:
+        return {key: ledger.ENTRIES[ledger.identifier(*key)]().checks[0].agrees for key in ledger.RUNS}
+
+    assert set(first_checks().values()) == {True}
+    monkeypatch.setattr(ledger, "grows_after_the_spot", lambda nu: None if nu == FOUR else True)
+    assert first_checks() == {key: None if key == (0, FOUR) else True for key in ledger.RUNS}
+    assert asked
+
+
 def test_the_sentence_on_sticking_is_on_both_one_way_runs(monkeypatch: pytest.MonkeyPatch, asked: list[Any]) -> None:
     assert [check.agrees for check in ledger.ENTRIES["3-impact-to-stick"]().checks] == [True, True]
     assert set(asked) == {(0, QUARTER), (0, FOUR)}
