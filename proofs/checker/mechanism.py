@@ -61,22 +61,22 @@ def adjugate(rows: Sequence[Sequence[Polynomial]]) -> list[list[Polynomial]]:
 
 def put_in(function: Polynomial, table: Mapping[str, Polynomial], meter: Meter) -> Polynomial:
     """The function with polynomials in the places of some names: its terms can become very many, so they are paid."""
-    found, lengths = Polynomial(), {name: longest_number(each) for name, each in table.items()}
+    found = Polynomial()
     for key, value in function.items():
         product = Polynomial({tuple(name for name in key if name not in table): value})
         meter.spend(0, PAIR)
         for name in key:
             if name in table:
-                product = paid(product, table[name], meter, lengths[name])
+                product = paid(product, table[name], meter)
         for name, share in product.items():
             found.take(name, share)
     return found
 
 
-def paid(left: Polynomial, right: Polynomial, meter: Meter, length: int = 0) -> Polynomial:
-    """The product; ``length``: that of the longest number of the right one, where it is known."""
+def paid(left: Polynomial, right: Polynomial, meter: Meter) -> Polynomial:
+    """The product."""
     pairs = len(left) * len(right)
-    meter.spend(pairs * 8 * (longest_number(left) + (length or longest_number(right))) ** 2, pairs * PAIR)
+    meter.spend(pairs * 8 * (longest_number(left) + longest_number(right)) ** 2, pairs * PAIR)
     return left * right
 
 
