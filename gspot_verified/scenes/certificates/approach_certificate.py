@@ -216,14 +216,13 @@ class _Writer:
         if rises > 0 and rises.lower() * at.force.lower() > inside.alpha_2.upper().max(arb(0)):
             return ["negative"]
         rate = rises - inside.alpha_1
-        if not (rises < 0 and rate > 0):
-            return []
-        limit = inside.alpha_2 / rises
-        slope = slip.slope_of_limit(found.box, hull((at.force, limit))).abs_upper()
-        excess = at.force - at.alpha_2 / (at.alpha_3 - at.alpha_1)
-        if not excess.abs_lower() * rate.lower() > slope * at.p.upper():
-            return []
-        return ["negative"] if excess > 0 else ["positive"]
+        if rises < 0 and rate > 0:
+            limit = inside.alpha_2 / rises
+            slope = slip.slope_of_limit(found.box, hull((at.force, limit))).abs_upper()
+            excess = at.force - at.alpha_2 / (at.alpha_3 - at.alpha_1)
+            if excess.abs_lower() * rate.lower() > slope * at.p.upper():
+                return ["negative"] if excess > 0 else ["positive"]
+        return []
 
 
 def _outward(side: arb, last: int) -> list[list[int]]:
