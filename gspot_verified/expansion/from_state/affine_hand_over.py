@@ -6,12 +6,11 @@ exactly, as polynomials in delta.
 
 from __future__ import annotations
 
-from flint import arb, fmpq, fmpq_poly
+from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
 
-from gspot_verified.expansion.from_state.affine_system import AffineSystem
-from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, carried
+from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, carried, power_of
 from gspot_verified.expansion.from_state.hand_over import Beside, HandOver, framed
-from gspot_verified.expansion.from_state.slow_series import Contact, SlowSeries
+from gspot_verified.expansion.from_state.slow_manifold import H, R, SlowManifold, excess_terms, still_terms
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.numbers.balls import add_remainder, ball
 from gspot_verified.numbers.evidence import less
@@ -20,59 +19,83 @@ _DELTA = fmpq_poly([0, 1])
 
 
 def affine_hand_over(
-    equations: DeviationEquations, given: AffineStart, tube: AffineTube, series: SlowSeries, place: fmpq
+    equations: DeviationEquations, given: AffineStart, tube: AffineTube, place: fmpq
 ) -> HandOver | str:
-    """The set (17) at s = -``place``, or what is not certain; the trajectory is that of ``given.system.system()``.
+    """The set (17) at s = -``place``, or what is not certain; the trajectory is that of the start's system.
 
     :raises ValueError: the tube is for larger e only.
     """
-    system = given.system
-    if not system.a * equations.exact_delta**3 <= tube.start.e:
+    manifold, a = given.manifold, given.manifold.system.a
+    if not a * equations.exact_delta**3 <= tube.start.e:
         raise ValueError("the tube is for larger epsilon only")
     scaled = equations.expansion("p", ball(-place))
-    if less(ball(system.a**2), ball(tube.rectangle.h**2) * scaled**3) is None:
+    if less(ball(a**2), ball(tube.rectangle.h**2) * scaled**3) is None:
         return "the tube ends before the hand-over"
     if less(scaled * equations.delta**2, ball(given.p)) is None:
         return "the start lies after the hand-over"
-    root = scaled.sqrt()
-    h, r = ball(system.a) / (root * scaled), root * equations.small
-    z = tube.bound(h, r.upper())
-    coefficient = given.coefficient * carried(given, tube, series, h, r).exp()
-    beside = _beside(equations, system, place)
+    beside = _beside(equations, manifold, place)
     if beside is None:
         return "the reference differs from Theorem 1 at an order below mu"
-    return framed(equations, series, tube.shares, z, coefficient, scaled, beside)
+    root = scaled.sqrt()
+    h, r = ball(a) / (root * scaled), root * equations.small
+    z = tube.bound(h, r.upper())
+    coefficient = given.coefficient(tube.start.e) * carried(given, tube, h, r).exp()
+    excess = -coefficient * power_of(r, manifold.mu)
+    v, w, f = (_over_excess(one, h, r, excess) for one in (H * manifold.u, manifold.w, manifold.f))
+    return framed(equations, manifold.beta, (v, w, f), tube.shares, z, coefficient, scaled=scaled, beside=beside)
 
 
-def _beside(equations: DeviationEquations, system: AffineSystem, place: fmpq) -> Beside | None:
+def _over_excess(polynomial: fmpq_mpoly, h: arb, r: arb, excess: arb) -> arb:
+    """The terms with L, over L."""
+    terms = ((i, n, k - 1, value) for (i, n, k), value in excess_terms(polynomial).items() if k)
+    return sum((ball(value) * h**i * r**n * excess**k for i, n, k, value in terms), arb(0))
+
+
+def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) -> Beside | None:
     """Reference minus polynomials at s = -``place``; None unless every order is above mu."""
     known = {
-        name: fmpq_poly([_at(term.coefficients(), -place) for term in terms])
+        name: fmpq_poly([fmpq_poly(term.coefficients())(-place) for term in terms])
         for name, terms in equations.trajectory.terms().items()
     }
-    contact = Contact.of(system.regularisation)
-    p, square = known["p"], _DELTA * _DELTA
-    force, speed = system.mean_force + system.tilt * square * p, system.a * system.tilt / contact.kappa * square
-    lag = contact.lag / contact.rate * _DELTA
-    more = (
-        -p * force - known["b"],
-        -(force + lag * speed) / contact.kappa - known["y"],
-        speed - known["v"],
-        known["lambda_n"] + contact.kappa * known["y"] + lag * known["v"],  # the sign does not matter
+    kappa, lag = manifold.contact.kappa, manifold.contact.lag / manifold.contact.rate
+    speed, fast = H * R * manifold.u, R * R * manifold.f
+    force, square = manifold.force + manifold.w, _DELTA * _DELTA
+    compared = (
+        (-R * R * manifold.force, square * known["b"], 2),
+        ((fast - force - lag * speed) / kappa, known["y"], 0),
+        (speed, _DELTA * known["v"], 1),
+        (fast, known["lambda_n"] + kappa * known["y"] + lag * _DELTA * known["v"], 0),
     )
+    p, low = square * known["p"], equations.expansion("p", ball(-place)).lower()
+    sizes = list[arb | None]()
+    for reference, polynomial, unit in compared:
+        above, below = _in_delta(reference, p, manifold.system.a)
+        off = above - polynomial * p**below
+        sizes.append(_over(equations, off, manifold.mu + unit + 2 * below, low**below))
     own = (known["p"], known["b"], square * square * known["y"], square * known["v"])
-    state = [value - known[f"xi_{i + 1}"] for i, value in enumerate(own)]
-    power = 2 * (system.beta - 1)
-    sizes = [_over(equations, one, power) for one in (*more, *state)]
+    for i, value in enumerate(own):
+        sizes.append(_over(equations, value - known[f"xi_{i + 1}"], manifold.mu, arb(1)))
     found = [one for one in sizes if one is not None]
     if len(found) < len(sizes):
         return None
-    b, y, v, fast, first, second, third, fourth = found
-    return Beside(b, y, v, fast, (first, second, third, fourth))
+    b, y, v, phi, first, second, third, fourth = found
+    return Beside(b, y, v, phi, (first, second, third, fourth))
 
 
-def _over(equations: DeviationEquations, polynomial: fmpq_poly, power: fmpq) -> arb | None:
-    """0 +- a bound of the polynomial over delta^mu for all delta of the range; None if an order is below mu."""
+def _in_delta(polynomial: fmpq_mpoly, p: fmpq_poly, a: fmpq) -> tuple[fmpq_poly, int]:
+    """(N, m): the polynomial at L = 0 is N/p^m, where e = a delta^3 and p are polynomials in delta."""
+    terms = still_terms(polynomial).items()
+    if any((n - 3 * i) % 2 for (i, n), _ in terms):
+        raise ArithmeticError("a power of e times a half power of p")
+    below = max((max(0, (3 * i - n) // 2) for (i, n), _ in terms), default=0)
+    total = fmpq_poly([0])
+    for (i, n), value in terms:
+        total += value * (a * _DELTA**3) ** i * p ** ((n - 3 * i) // 2 + below)
+    return total, below
+
+
+def _over(equations: DeviationEquations, polynomial: fmpq_poly, power: fmpq, divisor: arb) -> arb | None:
+    """0 +- a bound of the polynomial over delta^power divisor for all delta of the range; None if an order is below."""
     total = arb(0)
     for n, value in enumerate(polynomial.coeffs()):
         if value == 0:
@@ -80,9 +103,4 @@ def _over(equations: DeviationEquations, polynomial: fmpq_poly, power: fmpq) -> 
         if not n >= power:
             return None
         total += abs(ball(value)) * equations.delta ** ball(n - power)
-    return add_remainder(arb(0), total.upper())
-
-
-def _at(coefficients: list[fmpq], s: fmpq) -> fmpq:
-    value: fmpq = fmpq_poly(coefficients)(s)
-    return value
+    return add_remainder(arb(0), (total / divisor).upper())

@@ -1,4 +1,4 @@
-"""From a state near a G-spot to lift-off or impact, for every epsilon up to epsilon_0: alpha_i affine in p and b.
+"""From a state near a G-spot to lift-off or impact, for every epsilon up to epsilon_0: the alphas affine in p and b.
 
 Proof page: ``proofs/from_state.md``, the theorem of section 8.
 """
@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cache
+from itertools import product
 from typing import ClassVar
 
 from flint import fmpq
@@ -18,7 +20,8 @@ from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, P
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth
 from gspot_verified.expansion.from_state.hand_over import HandOver
 from gspot_verified.expansion.from_state.passage import checked_ratio, rounded_up
-from gspot_verified.expansion.from_state.slow_series import Contact, contact_text, slow_series
+from gspot_verified.expansion.from_state.slow_manifold import Cut, SlowManifold, slow_manifold
+from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
 from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges, smallest
@@ -32,7 +35,9 @@ from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Ve
 from gspot_verified.numbers.written import Written
 
 _ORDER = 10  # of the expansion
-_RATIO = fmpq(3, 2)  # nu: how far C_1 may move on the way; any number above 1 is right
+_RATIOS = (fmpq(21, 20), fmpq(6, 5), fmpq(2))  # nu: how far C_1 may move on the way; any number above 1 is right
+_WEIGHT = 8  # J: up to which powers of r the slow manifold is right; any is allowed
+_LEAST_ORDER = 1  # of a slow manifold: L_0 is the same with each
 _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 
 
@@ -74,7 +79,7 @@ def affine_side(
         0; an argument is not rational; the contact has no damper.
     """
     checked_ratio(system.beta)
-    start = AffineStart(system, rational(p, "p"), rational(b, "b"), rational(within, "within"))
+    start = AffineStart(_manifold(system, _LEAST_ORDER), rational(p, "p"), rational(b, "b"), rational(within, "within"))
     factor = rational(force, "force")
     if not (start.p > 0 and start.within >= 0 and factor > 1):
         raise ValueError("p must be positive, within not negative, force above 1")
@@ -84,8 +89,13 @@ def affine_side(
         return _side(start, factor)
 
 
+@cache
+def _manifold(system: AffineSystem, order: int) -> SlowManifold:
+    return slow_manifold(system, Cut(order, fmpq(_WEIGHT), 2 * system.beta - 2))
+
+
 def _side(start: AffineStart, factor: fmpq) -> AffineSide:
-    system = start.system
+    system = start.manifold.system
     trajectory = expand_system(system.system(), max(_ORDER, 2 * int(system.beta.p // system.beta.q) + 8))
     residuals, prepared = Residuals(trajectory, LARGEST_DELTA), list(_prepared(start))
 
@@ -113,23 +123,28 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
 
 @dataclass(frozen=True)
 class _Prepared:
-    """Lemma 1 for one plan; it does not depend on epsilon."""
+    """Lemma 1 for one plan; it does not depend on epsilon. The start's manifold has the plan's order."""
 
     plan: Plan
-    norm: Norm
+    start: AffineStart
+    norm: Norm[SlowManifold]
     rectangle: Rectangle
     growth: Growth
 
 
 def _prepared(start: AffineStart) -> Iterator[_Prepared]:
-    system = start.system
-    contact = Contact.of(system.regularisation)
-    for plan in affine_plans(system.beta, system.a, contact):
-        series = slow_series(system.beta, contact, plan.order, system.slopes)
-        norm = Norm(series, plan.k_1, plan.k_2)
-        reach = (1 / ball(system.a * plan.place**3)).sqrt() * ball(_BEYOND)
-        rectangle = Rectangle(rounded_up(reach), rounded_up(ball(start.p).sqrt()))
-        yield _Prepared(plan, norm, rectangle, fast_growth(norm, rectangle, plan.growth, plan.damping))
+    """For each norm the sharpest rate that is shown."""
+    system = start.manifold.system
+    for choices in affine_plans(system.beta, system.a, start.manifold.contact):
+        for plan in choices:
+            manifold = _manifold(system, plan.order)
+            norm = Norm(manifold, plan.k_1, plan.k_2)
+            reach = (1 / ball(system.a * plan.place**3)).sqrt() * ball(_BEYOND)
+            rectangle = Rectangle(rounded_up(reach), rounded_up(ball(start.p).sqrt()))
+            growth = fast_growth(norm, rectangle, plan.growth, plan.damping)
+            if growth.evidence is not None or plan is choices[-1]:
+                yield _Prepared(plan, replace(start, manifold=manifold), norm, rectangle, growth)
+                break
 
 
 def _followed(
@@ -138,11 +153,11 @@ def _followed(
     """From p_1 to the end, for all delta of the equations, or what the last plan failed by."""
     failed = list[str]()
     for one in prepared:
-        passed = _tube(start, one, start.system.a * equations.exact_delta**3)
+        passed = _tube(start, one, start.manifold.system.a * equations.exact_delta**3)
         if isinstance(passed, str):
             failed.append(f"Theorem B': {passed}")
             continue
-        handed = affine_hand_over(equations, start, passed, one.norm.series, one.plan.place)
+        handed = affine_hand_over(equations, one.start, passed, one.plan.place)
         if isinstance(handed, str):
             failed.append(handed)
             continue
@@ -158,8 +173,9 @@ def _followed(
 
 def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
     found: AffineTube | str = "no z_max was tried"
-    for largest in LARGEST:
-        found = affine_tube(start, one.norm, one.growth, one.rectangle, e, largest, _RATIO)
+    likely = [largest for largest in LARGEST if largest > 3 * start.within]
+    for ratio, largest in product(_RATIOS, likely):
+        found = affine_tube(one.start, one.norm, one.growth, one.rectangle, e, largest, ratio)
         if isinstance(found, AffineTube):
             return found
     return found
@@ -168,7 +184,7 @@ def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
 def _ended(
     start: AffineStart, equations: DeviationEquations, factor: fmpq, handed: HandOver, place: fmpq
 ) -> SideEnd | str:
-    beta = start.system.beta
+    beta = start.manifold.beta
     tracked = track(
         equations,
         2 * (beta - 1),
@@ -199,5 +215,5 @@ def states_text(start: AffineStart) -> str:
     return (
         f"every start in contact at p = {start.p}, b = {start.b} with |lambda_N + b/p| <= {start.within} |L|, "
         f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {start.within} sqrt(p) |L|, "
-        f"L = {start.excess}, {Contact.of(start.system.regularisation).fast_text}"
+        f"L = {start.excess}, {Contact.of(start.manifold.system.regularisation).fast_text}"
     )

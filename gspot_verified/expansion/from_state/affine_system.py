@@ -1,4 +1,4 @@
-"""Systems whose alpha_1, alpha_2, alpha_3 are affine functions of p and b: their reference force, slopes and bounds.
+"""Systems whose alpha_1, alpha_2, alpha_3 are affine functions of p and b: the numbers of their G-spot.
 
 Proof page: ``proofs/from_state.md``, section 8. Exact rationals; the state is (p, b, y, v).
 """
@@ -7,10 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from flint import arb, fmpq
+from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.expansion.from_state.barrier import Monomials, added
-from gspot_verified.expansion.from_state.slow_series import Slopes
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.series.system import System
 from gspot_verified.functions.expressions import Constant, Expression, Variable
@@ -25,6 +23,10 @@ class Affine:
     value: fmpq
     by_p: fmpq = _ZERO
     by_b: fmpq = _ZERO
+
+    def at(self, p: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+        """Its value where p and b are polynomials."""
+        return self.value + self.by_p * p + self.by_b * b
 
     @property
     def expression(self) -> Expression:
@@ -42,7 +44,7 @@ class Affine:
 class AffineSystem:
     """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with affine alpha_i; the letters are those of the page.
 
-    :raises ValueError: alpha_1, alpha_2 are not negative at p = b = 0, beta is at most 1, or 2.
+    :raises ValueError: alpha_1, alpha_2 are not negative at p = b = 0, beta is at most 1 or an integer.
     """
 
     alpha_1: Affine
@@ -53,8 +55,8 @@ class AffineSystem:
     def __post_init__(self) -> None:
         if not (self.alpha_1.value < 0 and self.alpha_2.value < 0):
             raise ValueError("alpha_1 and alpha_2 must be negative at the G-spot: else the mean force is not positive")
-        if not self.beta > 1 or self.beta == 2:
-            raise ValueError(f"beta must be above 1 and not 2, got {self.beta}")
+        if not self.beta > 1 or self.beta.q == 1:
+            raise ValueError(f"beta must be above 1 and no integer, got {self.beta}")
 
     @property
     def a(self) -> fmpq:
@@ -70,63 +72,6 @@ class AffineSystem:
     def mean_force(self) -> fmpq:
         """lambda_N at the G-spot on the distinguished trajectory."""
         return self.alpha_2.value / (self.alpha_3.value - self.alpha_1.value)
-
-    def along(self, function: Affine) -> fmpq:
-        """d: its derivative by p along b = -p times the mean force."""
-        return function.by_p - function.by_b * self.mean_force
-
-    @property
-    def _turn(self) -> fmpq:
-        return self.along(self.alpha_1) - self.along(self.alpha_3)
-
-    @property
-    def _turn_by_b(self) -> fmpq:
-        return self.alpha_1.by_b - self.alpha_3.by_b
-
-    @property
-    def tilt(self) -> fmpq:
-        """Lambda_1: the reference force is the mean force + Lambda_1 p."""
-        driven = self.along(self.alpha_2) + self._turn * self.mean_force
-        return -driven / (self.a * (self.beta - 2))
-
-    @property
-    def _force(self) -> fmpq:
-        """c - b_rho."""
-        return self._turn - self.alpha_2.by_b - self._turn_by_b * self.mean_force
-
-    @property
-    def slopes(self) -> Slopes:
-        """What is of first order in p."""
-        return Slopes(
-            fall=-self.along(self.alpha_1) / self.a,
-            force=self._force / self.a,
-            back=-self.along(self.alpha_3) / self.a,
-            turn=self._turn / self.a,
-        )
-
-    def rests(self, reach: fmpq, coefficient: arb, ratio: fmpq) -> Rests:
-        """Bounds of what the slopes leave out, for p <= reach and coefficient/ratio <= \\|C\\| <= ratio coefficient."""
-        tilt, by_b, turn = abs(self.tilt), abs(self.alpha_1.by_b), abs(self._turn_by_b)
-        largest, least = ratio * coefficient, coefficient / ratio
-        still = (abs(self._force) + abs(self.along(self.alpha_1)) + reach * tilt * (turn + by_b)) * tilt
-
-        def of(free: fmpq, by_l: fmpq, by_p: fmpq) -> Monomials:
-            total: Monomials = {}
-            for power, size, unit in (
-                (2 * (3 - self.beta), free, 1 / least),
-                (2 * self.beta, by_l, largest),
-                (fmpq(4), by_p, arb(1)),
-            ):
-                if size > 0:
-                    added(total, {(fmpq(0), power): unit}, size / self.a)
-            return total
-
-        return Rests(
-            force=of(still, turn, (2 * turn + by_b) * tilt),
-            fall=of(_ZERO, by_b, by_b * tilt),
-            back=of(_ZERO, abs(self.alpha_3.by_b), abs(self.alpha_3.by_b) * tilt),
-            turn=of(_ZERO, turn, turn * tilt),
-        )
 
     def system(self) -> System:
         """The system of the paper's equations with the state (p, b, y, v)."""
@@ -149,13 +94,3 @@ class AffineSystem:
             state=("p", "b", "y", "v"),
             regularisation=self.regularisation,
         )
-
-
-@dataclass(frozen=True)
-class Rests:
-    """Bounds by monomials of r: ``force`` of sigma_/L, tau_/L; ``fall``, ``back``, ``turn`` of pi_, beta_, omega_."""
-
-    force: Monomials
-    fall: Monomials
-    back: Monomials
-    turn: Monomials

@@ -1,4 +1,4 @@
-"""Theorem B': the bound of the fast deviation where the alpha_i are affine in p and b, for all epsilon at once.
+"""Theorem B': the bound of the fast deviation where the alphas are affine in p and b, for all epsilon at once.
 
 Proof page: ``proofs/from_state.md``, section 8. Every hypothesis is compared in :func:`affine_tube`.
 """
@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq, fmpq_mpoly
 
-from gspot_verified.expansion.from_state.affine_system import AffineSystem, Rests
 from gspot_verified.expansion.from_state.barrier import (
     Exponents,
     Monomials,
@@ -19,49 +18,88 @@ from gspot_verified.expansion.from_state.barrier import (
     layer,
     layer_integral,
     paid,
-    source,
-    start_bound,
-    times,
     value_of,
 )
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
-from gspot_verified.expansion.from_state.slow_series import H, R, SlowSeries, change, terms_of
+from gspot_verified.expansion.from_state.slow_manifold import (
+    H,
+    L,
+    R,
+    SlowManifold,
+    excess_terms,
+    still,
+    still_terms,
+)
+from gspot_verified.expansion.from_state.slow_series import H as LEVEL_H
+from gspot_verified.expansion.from_state.slow_series import R as LEVEL_R
+from gspot_verified.expansion.from_state.slow_series import change, terms_of
 from gspot_verified.numbers.balls import add_remainder, ball, hull
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
-_P: Exponents = (fmpq(0), fmpq(2))
-
 
 @dataclass(frozen=True)
 class AffineStart:
-    """The states at p with \\|lambda_N + b/p\\|, ... within their shares of \\|L\\|, b given, for e <= ``e``."""
+    """The states at p with \\|lambda_N + b/p\\|, ... within their shares of \\|L\\|, b given."""
 
-    system: AffineSystem
+    manifold: SlowManifold
     p: fmpq
     b: fmpq
     within: fmpq
 
     @property
     def excess(self) -> fmpq:
-        """L = -b/p - the reference force at p."""
-        return -self.b / self.p - self.system.mean_force - self.system.tilt * self.p
+        """L_0 = -b/p - the reference force at epsilon = 0."""
+        left = {n // 2: value for (i, n), value in still_terms(self.manifold.force).items() if i == 0}
+        return -self.b / self.p - sum((value * self.p**power for power, value in left.items()), fmpq(0))
 
-    @property
-    def coefficient(self) -> arb:
-        """C = -L p^(1 - beta) at the start."""
-        return -ball(self.excess) * ball(self.p) ** ball(1 - self.system.beta)
+    def excess_up_to(self, e: fmpq) -> arb:
+        """L for every e up to this one."""
+        terms = still_terms(self.manifold.force).items()
+        late: Monomials = {key: ball(abs(value)) for key, value in terms if key[0] > 0}
+        root = ball(self.p).sqrt()
+        return add_remainder(ball(self.excess), value_of(late, ball(e) / root**3, root))
 
-    def size(self, series: SlowSeries, e: fmpq) -> arb:
+    def coefficient(self, e: fmpq) -> arb:
+        """C = -L p^(1 - beta) at the start, for every e up to this one."""
+        return -self.excess_up_to(e) * ball(self.p) ** ball(1 - self.manifold.beta)
+
+    def size(self, e: fmpq) -> arb:
         """z at the start, for every e up to this one."""
-        root = ball(self.p).sqrt() * ball(series.contact.kappa).sqrt()
-        shift = ball(e) * abs(self.system.tilt) / (root * abs(ball(self.excess)))
-        return (start_bound(series, self.p, e, self.within) + shift).upper()
+        manifold, root, excess = self.manifold, ball(self.p).sqrt(), abs(self.excess_up_to(e))
+        bounds = ExcessBounds(fmpq(0), excess.upper(), excess.lower())
+        total = 3 * ball(self.within) * abs(ball(self.excess)) / excess
+        for length, one in zip(lengths(manifold), (H * manifold.u, manifold.w, R * manifold.f), strict=True):
+            total += length * value_of(bounds.of(one, 1), ball(e) / root**3, root)
+        return total.upper()
+
+
+@dataclass(frozen=True)
+class ExcessBounds:
+    """``least`` r^mu <= \\|L\\| <= ``largest`` r^mu."""
+
+    mu: fmpq
+    largest: arb
+    least: arb
+
+    def of(self, polynomial: fmpq_mpoly, over: int = 0, side: int = 0) -> Monomials:
+        """Bounds of the terms of the polynomial over L^over, where one may have both signs; but with a ``side`` those
+        free of L count only if they have its sign."""
+        total: Monomials = {}
+        for (i, n, k), value in excess_terms(polynomial).items():
+            power = k - over
+            if power != 0 or value * side >= 0:
+                size = (self.largest if power > 0 else self.least) ** power
+                added(total, {(i, n + power * self.mu): size}, abs(value))
+        return total
 
 
 @dataclass(frozen=True)
 class AffineTube:
-    """z <= Z + I, 0 < h <= ``rectangle.h``, p <= p_1, for every e up to ``start.e``; names as in ``barrier.Tube``."""
+    """z <= Z + I, 0 < h <= ``rectangle.h``, p <= p_1, for every e up to ``start.e``; names as in ``barrier.Tube``.
+
+    ``drift`` is what log C moves by at most besides the integral of D.
+    """
 
     start: Start
     rectangle: Rectangle
@@ -70,6 +108,7 @@ class AffineTube:
     damping: arb
     shares: tuple[arb, arb, arb]
     drift: arb
+    excess: ExcessBounds
     evidence: Evidence
 
     def bound(self, h: arb, r: arb) -> arb:
@@ -79,50 +118,54 @@ class AffineTube:
 
 
 def affine_tube(
-    given: AffineStart, norm: Norm, growth: Growth, rectangle: Rectangle, e: fmpq, largest: fmpq, ratio: fmpq
+    given: AffineStart,
+    norm: Norm[SlowManifold],
+    growth: Growth,
+    rectangle: Rectangle,
+    e: fmpq,
+    largest: fmpq,
+    ratio: fmpq,
 ) -> AffineTube | str:
     """Theorem B' with z_max = ``largest`` and nu = ``ratio``, or the inequality that fails.
 
-    :raises ValueError: p_1 is not at most the rectangle's r^2, e not positive, or the norm is for other slopes.
+    :raises ValueError: p_1 is not at most the rectangle's r^2, e not positive, or the norm is for another manifold.
     """
-    series, system = norm.series, given.system
+    manifold, mean = given.manifold, ball(given.manifold.system.mean_force)
     if not (0 < given.p <= rectangle.r**2 and e > 0):
         raise ValueError("p_1 must be at most r^2 of the rectangle, and e positive")
-    if series.slopes != system.slopes or series.beta != system.beta:
-        raise ValueError("the slow series is that of another system")
+    if norm.series != manifold:
+        raise ValueError("the norm is for another slow manifold")
     if growth.evidence is None:
         return f"Lemma 1 with the rate {growth.rate} and the damping {growth.damping}: {growth.where}"
     shares = norm.shares(rectangle)
     if shares is None:
         return "the norm is not certainly positive definite"
-    path, rests = _Path(rectangle, given.p, e), system.rests(given.p, abs(given.coefficient), ratio)
-    if any(n < 0 for _, n in rests.force):
-        return f"beta = {system.beta} is above 3: a reference of first order in p does not do"
-    sums = _Sums(norm, shares, rests, path)
-    below = 1 - sums.fall
+    first = abs(given.coefficient(e))
+    if less(0, first) is None:
+        return "the excess at the start is not certainly of one sign"
+    excess = ExcessBounds(manifold.mu, (first * ratio).upper(), (first / ratio).lower())
+    sums = _Sums(norm, manifold, shares, excess, _Path(rectangle, given.p, e))
+    slow, below = sums.path.integral(sums.drift), 1 - sums.fall
     if less(0, below) is None:
         return f"p does not certainly fall up to p = {given.p}"
-    rate = sums.rate(growth.rate, ball(largest)) / below
-    damping = (ball(growth.damping) / (1 + sums.fall)).lower()
-    barrier = paid(sums.source(below), rate, damping)
+    if less(slow, ball(ratio).log()) is None:
+        return f"log C_1 moves by {_shown(slow)} on the slow manifold, not certainly less than log {ratio}"
+    rate, damping = sums.rate(ball(growth.rate), ball(largest)), (growth.damping / (1 + sums.fall)).lower()
+    barrier = paid(sums.source(), rate, damping)
     if isinstance(barrier, str):
         return barrier
     side = 1 if given.excess > 0 else -1
-    start = Start(given.p, e, given.size(series, e), side, abs(given.excess) / system.mean_force)
-    highest, moved = path.largest(barrier), ball(largest) * shares[1]
-    first, last = start.z, layer(start, ball(rectangle.h), rate, damping)
-    drift = path.integral(sums.drift(below))
-    pushed = sums.pushed(below)
-    drift += pushed * (path.integral(barrier) + layer_integral(start, rectangle, rate, damping))
-    slow = path.integral(sums.slow_drift())
-    above, under = path.largest(_positive(series.w, 1)), path.largest(_positive(series.w, -1))
-    tilted = ball(abs(system.tilt) * given.p)
-    excess = ball(ratio * abs(given.excess))
+    start = Start(given.p, e, given.size(e), side, abs(given.excess) / given.manifold.system.mean_force)
+    highest, last = sums.path.largest(barrier), layer(start, ball(rectangle.h), rate, damping)
+    fast = sums.path.integral(barrier) + layer_integral(start, rectangle, rate, damping)
+    drift = (sums.path.integral(sums.stray()) + sums.pushed * fast).upper()
+    tilted = sums.path.largest(excess.of(manifold.force + still(manifold.w) - manifold.system.mean_force))
+    moved = sums.turned(-side) + ball(largest) * shares[1]
     conditions = {
         "the hand-over lies before the start": less(e**2, rectangle.h**2 * given.p**3),
         "the layer falls with epsilon": less(2 * rate / 3, damping * ball(given.p**2 / (2 * e))),
-        f"the barrier {_shown(highest)} + {_shown(first)} at the start stays below {largest}": less(
-            highest + first, ball(largest)
+        f"the barrier {_shown(highest)} + {_shown(start.z)} at the start stays below {largest}": less(
+            highest + start.z, ball(largest)
         ),
         f"the barrier {_shown(highest)} + {_shown(last)} at the hand-over stays below {largest}": less(
             highest + last, ball(largest)
@@ -130,34 +173,43 @@ def affine_tube(
         f"log C_1 moves by {_shown(drift + slow)}, less than log {ratio}": less(drift + slow, ball(ratio).log()),
     }
     if side > 0:
-        conditions["the force stays positive"] = every((less(under + moved, 1), less(tilted, ball(system.mean_force))))
+        conditions["the force stays positive"] = every((less(moved, 1), less(tilted, mean)))
     else:
-        conditions["the force stays positive"] = less(tilted + excess * (1 + above + moved), ball(system.mean_force))
+        reached = ratio * abs(given.excess_up_to(e)) * (1 + moved)
+        conditions["the force stays positive"] = less(tilted + reached, mean)
     failed = [name for name, shown in conditions.items() if shown is None]
     evidence = every([growth.evidence, *conditions.values()])
     if evidence is None:
         return "not certain: " + "; ".join(failed)
+    whole = (drift + sums.path.integral({(i, n): value for (i, n), value in sums.drift.items() if n == 3 * i})).upper()
     return AffineTube(
-        start, rectangle, barrier, rate=rate, damping=damping, shares=shares, drift=drift, evidence=evidence
+        start, rectangle, barrier, rate, damping=damping, shares=shares, drift=whole, excess=excess, evidence=evidence
     )
 
 
-def carried(given: AffineStart, tube: AffineTube, series: SlowSeries, h: arb, r: arb) -> arb:
+def carried(given: AffineStart, tube: AffineTube, h: arb, r: arb) -> arb:
     """log of C at (h, r) over C at p_1; (16)."""
-    start, system = tube.start, given.system
+    start, manifold = tube.start, given.manifold
     nearest = hull([arb(0), (ball(start.e) / ball(start.p) ** ball(fmpq(3, 2))).upper()])
-    largest = ball(start.p).sqrt()
-    total = ball(tilted_drift(system)) * (r**2 - ball(start.p))
-    for (i, n), value in terms_of(series.w).items():
-        growth = fmpq(3 * i - n, 2)
-        if growth > 0:
-            total -= series.beta * ball(value / growth) * (h**i * r**n - nearest**i * largest**n)
+    far, total = ball(start.p).sqrt(), arb(0)
+    for (i, n, k), value in excess_terms(manifold.drift).items():
+        power = n + k * manifold.mu
+        if power != 3 * i:
+            size = (start.side * hull([tube.excess.least, tube.excess.largest])) ** k
+            moved = h**i * power_of(r, power) - nearest**i * power_of(far, power)
+            total += ball(2 * value / (power - 3 * i)) * size * moved
     return add_remainder(total, tube.drift)
 
 
-def tilted_drift(system: AffineSystem) -> fmpq:
-    """A: p d log \\|C\\|/dp = A p + ..."""
-    return system.slopes.force - (system.beta - 1) * system.slopes.fall
+def power_of(r: arb, exponent: fmpq) -> arb:
+    """r^exponent for r >= 0 in a ball that may hold 0, exponent >= 0."""
+    return hull([end ** ball(exponent) if end > 0 else arb(0) for end in (r.lower(), r.upper())])
+
+
+def lengths(manifold: SlowManifold) -> tuple[arb, arb, arb]:
+    """sqrt(M_ii)."""
+    contact = manifold.contact
+    return ball(contact.kappa).sqrt(), arb(1), ball(contact.rate) / ball(contact.lag).sqrt()
 
 
 class _Path:
@@ -169,8 +221,10 @@ class _Path:
         self._last = (ball(e) / self._h).root(3)  # r where h = h_1
 
     def ends(self, key: Exponents) -> tuple[arb, arb]:
-        """The monomial at p_1 and at the hand-over, for the largest e."""
+        """The monomial at p_1 and at the hand-over, for the largest e; not finite where it does not grow with e."""
         i, n = key
+        if n < 0:
+            return arb.pos_inf(), arb.pos_inf()
         return self._first**i * self._r**n, self._h**i * self._last**n
 
     def largest(self, terms: Mapping[Exponents, arb]) -> arb:
@@ -195,97 +249,69 @@ class _Path:
 
 
 class _Sums:
-    """The sums of (15), (16): monomials with upper bounds, at most their values on the way."""
+    """The sums of (15), (16): upper bounds on the way."""
 
-    def __init__(self, norm: Norm, shares: tuple[arb, arb, arb], rests: Rests, path: _Path) -> None:
-        series = norm.series
-        self._series, self._norm, self._rests, self._path, self._shares = series, norm, rests, path, shares
-        contact, slopes = series.contact, series.slopes
-        self._lengths = (ball(contact.kappa).sqrt(), arb(1), ball(contact.rate) / ball(contact.lag).sqrt())
-        self._w, self._v, self._f = (_sizes(one) for one in (series.w, series.v / R, R * series.f))
-        self._beta, self._slopes = series.beta, slopes
-        self._fall = {_P: ball(abs(slopes.fall))}
-        added(self._fall, rests.fall, 1)
-        self._back = {_P: ball(abs(slopes.back))}
-        added(self._back, rests.back, 1)
-        self.fall = path.largest(self._fall)
+    def __init__(
+        self,
+        norm: Norm[SlowManifold],
+        manifold: SlowManifold,
+        shares: tuple[arb, arb, arb],
+        excess: ExcessBounds,
+        path: _Path,
+    ) -> None:
+        self.path, self._norm, self._manifold, self._shares, self._excess = path, norm, manifold, shares, excess
+        self.fall = path.largest(excess.of(manifold.fall - 1))
+        self.back = path.largest(excess.of(manifold.back))
+        self.drift = excess.of(manifold.drift)
+        self._below = 1 - self.fall
 
-    def rate(self, growth: fmpq, largest: arb) -> arb:
-        """The bracket of (15) in front of z."""
-        path, rests, (first, second, third) = self._path, self._rests, self._shares
-        at = path.largest
-        back, w = self._beta + at(self._back), at(self._w)
-        free = at(rests.force) + at(rests.back) * w
-        own = at(rests.fall) / 2 * (self._lengths[0] * first + self._lengths[2] * third)
-        mixed = second * (
-            at(rests.turn) + at(rests.back) * (w + self._lengths[0] * at(self._v) + self._lengths[2] * at(self._f))
-        )
-        slopes = self._slopes
-        slow = path.largest({_P: ball(abs(slopes.fall) + abs(slopes.force))}) + back * w
-        return (
-            ball(growth + self._beta) + slow + back * second * largest
-            + at(rests.fall) * (1 + self._norm_change()) + free + own + mixed
-        ).upper()  # fmt: skip
+    def rate(self, growth: arb, largest: arb) -> arb:
+        """Gamma of (15)."""
+        manifold = self._manifold
+        steady = manifold.beta - 1
+        slow = self.path.largest(self._excess.of(manifold.slow - steady * L, 1, 1))
+        whole = growth + self._changed_matrix() + steady + slow + self.back * self._shares[1] * largest
+        return (1 + (whole / self._below).max(whole / (1 + self.fall))).upper()
 
-    def _norm_change(self) -> arb:
-        """|x^T M' x|/(2 h r |x|^2) of the level system."""
-        (first, second, third), gram = self._shares, self._norm.matrix
-        parts = (gram[0][1], first * second), (gram[1][2], second * third)
-        return sum(
-            (self._path.largest(_sizes(change(entry) / (H * R))) * share for entry, share in parts), arb(0)
-        ).upper()
+    def _changed_matrix(self) -> arb:
+        """omega: what the terms with L add to the matrix and to M'."""
+        manifold, (first, second, third), gram = self._manifold, self._shares, self._norm.matrix
+        root, one, last = lengths(manifold)
+        norm_change = arb(0)
+        for entry, share in ((gram[0][1], first * second), (gram[1][2], second * third)):
+            moved = change(entry) / (LEVEL_H * LEVEL_R)
+            norm_change += share * self.path.largest({key: ball(abs(value)) for key, value in terms_of(moved).items()})
+        total = self._largest_with_excess(manifold.fall) * ((root * first + last * third) / 2 + norm_change)
+        for length, fed in zip((root, one, last), manifold.feeding, strict=True):
+            total += length * second * self._largest_with_excess(fed)
+        return total.upper()
 
-    def source(self, below: arb) -> Monomials:
-        """The sum without z of (15), over 1 - pi."""
-        series, rests = self._series, self._rests
-        free: Monomials = dict(rests.force)
-        added(free, times(rests.back, self._w), 1)
+    def _largest_with_excess(self, polynomial: fmpq_mpoly) -> arb:
+        return self.path.largest(self._excess.of(polynomial - still(polynomial)))
+
+    def source(self) -> Monomials:
+        """F'."""
         total: Monomials = {}
-        added(total, source(series), 1)
-        added(total, times(rests.turn, self._w), 1)
-        added(total, rests.force, 1)
-        changes = (
-            change(series.v) / (H * R * R),
-            change(R * R * series.w) / (H * R**3),
-            change(R * R * series.f) / (H * R * R),
-        )
-        for length, part, moved in zip(self._lengths, (self._v, self._w, self._f), changes, strict=True):
-            added(total, times(part, free), length)
-            added(total, times(rests.fall, _sizes(moved)), length)
-        divided: Monomials = {}
-        added(divided, total, 1 / below)
-        return divided
-
-    def drift(self, below: arb) -> Monomials:
-        """The sum without z of (16): what is beside beta w + A p."""
-        slopes, rests, beta = self._slopes, self._rests, self._beta
-        total: Monomials = dict(rests.force)
-        added(total, rests.fall, beta - 1)
-        added(total, times(self._fall, self._w), beta)
-        added(total, times(self._back, self._w), 1)
-        added(total, times({_P: ball(abs(slopes.force - (beta - 1) * slopes.fall))}, self._fall), 1)
-        divided: Monomials = {}
-        added(divided, total, 1 / below)
-        added(divided, {key: value for key, value in self._w.items() if not 3 * key[0] > key[1]}, beta)
-        return divided
-
-    def pushed(self, below: arb) -> arb:
-        """What stands in front of z in (16)."""
-        return ((self._beta + self._path.largest(self._back)) * self._shares[1] / below).upper()
-
-    def slow_drift(self) -> Monomials:
-        """beta |w| + |A| p."""
-        total: Monomials = {_P: ball(abs(self._slopes.force - (self._beta - 1) * self._slopes.fall))}
-        added(total, self._w, self._beta)
+        for length, one in zip(lengths(self._manifold), self._manifold.residual, strict=True):
+            added(total, self._excess.of(one, 1), length / self._below)
         return total
 
+    def stray(self) -> Monomials:
+        """The sum without z of (16)."""
+        manifold, total = self._manifold, dict[Exponents, arb]()
+        rest = manifold.slow - (manifold.beta - 1 + manifold.drift) * manifold.fall * L
+        added(total, self._excess.of(rest, 1), 1 / self._below)
+        return total
 
-def _sizes(polynomial: fmpq_mpoly) -> Monomials:
-    return {key: ball(abs(value)) for key, value in terms_of(polynomial).items()}
+    @property
+    def pushed(self) -> arb:
+        """What stands in front of z in (16)."""
+        return (self.back * self._shares[1] / self._below).upper()
 
-
-def _positive(polynomial: fmpq_mpoly, sign: int) -> Monomials:
-    return {key: ball(sign * value) for key, value in terms_of(polynomial).items() if sign * value > 0}
+    def turned(self, side: int) -> arb:
+        """(w - w at L = 0)/L, the part of this sign."""
+        w = self._manifold.w
+        return self.path.largest(self._excess.of(w - still(w), 1, side))
 
 
 def _shown(value: arb) -> str:

@@ -72,7 +72,7 @@ class Tube:
         return (self.beta * self.shares[1] * total).upper()
 
 
-def tube(norm: Norm, growth: Growth, rectangle: Rectangle, start: Start, largest: fmpq) -> Tube | str:
+def tube(norm: Norm[SlowSeries], growth: Growth, rectangle: Rectangle, start: Start, largest: fmpq) -> Tube | str:
     """Theorem B with z_max = ``largest``, or the inequality that fails.
 
     :raises ValueError: p_1 is not at most the rectangle's r^2, or e not positive.

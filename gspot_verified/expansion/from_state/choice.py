@@ -53,13 +53,14 @@ def plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[list[Plan]]:
         ]
 
 
-def affine_plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[Plan]:
-    """For slopes, from a small p: the damping is near its value for small p."""
+def affine_plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[list[Plan]]:
+    """From a small p, where the damping is near its value for small p: for each norm, the sharpest rate first."""
     scale = approximate(a * contact.kappa) ** (1 / 3)
     place = fmpq(math.ceil(8 * _TAU / scale), 8)
     order = math.floor(approximate(beta) + 0.5) + 2
     for k_1, k_2, share in ((fmpq(8, 5), fmpq(12, 25), fmpq(2, 5)), (_K_1, _K_2, fmpq(1, 5))):
-        yield Plan(k_1, k_2, (beta - fmpq(3, 2)) / 2 + _ABOVE[0], share * contact.lag / contact.rate, order, place)
+        damping = share * contact.lag / contact.rate
+        yield [Plan(k_1, k_2, (beta - fmpq(3, 2)) / 2 + above, damping, order, place) for above in _ABOVE]
 
 
 def reach_for(beta: fmpq) -> float:

@@ -7,10 +7,11 @@ evaluated on boxes.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
 
 from flint import arb, fmpq, fmpq_mpoly
 
-from gspot_verified.expansion.from_state.slow_series import RING, H, R, SlowSeries, change, terms_of
+from gspot_verified.expansion.from_state.slow_series import RING, Contact, H, R, change, terms_of
 from gspot_verified.numbers.balls import ball, hull
 from gspot_verified.numbers.evidence import Box, cover_by_boxes, every, less
 from gspot_verified.numbers.verdict import Evidence
@@ -27,14 +28,37 @@ class Rectangle:
     r: fmpq
 
 
+class SlowPart(Protocol):
+    """What B and M' need of a slow part: of the model system, or of section 8 at L = 0."""
+
+    @property
+    def beta(self) -> fmpq:
+        """alpha_3/alpha_1 at the G-spot."""
+
+    @property
+    def contact(self) -> Contact:
+        """kappa, g, l."""
+
+    @property
+    def coupling(self) -> tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]:
+        """What x_2 feeds into x_1, x_2, x_3 besides r, 0, (l/g) r, over h r."""
+
+    @property
+    def level_fall(self) -> fmpq_mpoly:
+        """-p'/(h r p)."""
+
+
+Part = TypeVar("Part", bound=SlowPart, covariant=True)
+
+
 @dataclass(frozen=True)
-class Norm:
+class Norm(Generic[Part]):
     """|x|_M with x = (r V, W, r phi): k_1, k_2 of the page.
 
     :raises ValueError: one of them is negative.
     """
 
-    series: SlowSeries
+    series: Part
     k_1: fmpq
     k_2: fmpq
 
@@ -77,32 +101,31 @@ class Growth:
     where: str
 
 
-def fast_matrix(series: SlowSeries) -> Matrix:
+def fast_matrix(series: SlowPart) -> Matrix:
     """B of (4): x' = B x + L (residual)."""
-    contact, slopes, square = series.contact, series.slopes, R * R
-    rest = -fmpq(1, 2) * H * R * (1 + slopes.fall * square)
-    back, turn = series.beta + slopes.back * square, series.beta - 1 + slopes.turn * square
+    contact, (first, second, third) = series.contact, series.coupling
+    rest = -fmpq(1, 2) * H * R * series.level_fall
     return [
-        [rest, R + back * H * series.v, RING.constant(0)],
-        [-contact.kappa * R, H * R * (turn + back * series.w), -contact.rate * R],
-        [RING.constant(0), contact.lag / contact.rate * R + back * H * square * series.f, rest - contact.rate],
+        [rest, R + H * R * first, RING.constant(0)],
+        [-contact.kappa * R, H * R * second, -contact.rate * R],
+        [RING.constant(0), contact.lag / contact.rate * R + H * R * third, rest - contact.rate],
     ]
 
 
-def surplus(norm: Norm, rate: fmpq, damping: fmpq) -> Matrix:
+def surplus(norm: Norm[SlowPart], rate: fmpq, damping: fmpq) -> Matrix:
     """N = 2 (h r rate - damping r^2) M - (M B + B^T M + M')."""
-    gram, field = norm.matrix, fast_matrix(norm.series)
+    gram, field, fall = norm.matrix, fast_matrix(norm.series), norm.series.level_fall
     factor = 2 * rate * H * R - 2 * damping * R * R
     product = [
         [sum((gram[i][k] * field[k][j] for k in range(3)), RING.constant(0)) for j in range(3)] for i in range(3)
     ]
     return [
-        [factor * gram[i][j] - product[i][j] - product[j][i] - change(gram[i][j], norm.series.slopes) for j in range(3)]
+        [factor * gram[i][j] - product[i][j] - product[j][i] - fall * change(gram[i][j]) for j in range(3)]
         for i in range(3)
     ]
 
 
-def fast_growth(norm: Norm, rectangle: Rectangle, rate: fmpq, damping: fmpq) -> Growth:
+def fast_growth(norm: Norm[SlowPart], rectangle: Rectangle, rate: fmpq, damping: fmpq) -> Growth:
     """Lemma 1 on the rectangle: N is positive definite there, in two charts, box by box."""
     matrix = surplus(norm, rate, damping)
     shown, boxes = list[Evidence | None](), 0

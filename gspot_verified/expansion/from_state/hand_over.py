@@ -42,7 +42,8 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
     a, far = ball(rate), ball(place)
     h, r = (1 / (a * far**3)).sqrt(), (a * far).sqrt() * equations.small
     z = tube.bound(h, r.upper())
-    return framed(equations, series, tube.shares, z, c_1 * carried(tube, series, h, r).exp(), a * far)
+    v, w, f = (evaluated(one, h, r) for one in (series.v / R, series.w, series.f))
+    return framed(equations, series.beta, (v, w, f), tube.shares, z, c_1 * carried(tube, series, h, r).exp(), a * far)
 
 
 @dataclass(frozen=True)
@@ -62,35 +63,37 @@ _NOTHING = Beside(arb(0), arb(0), arb(0), arb(0), (arb(0), arb(0), arb(0), arb(0
 
 def framed(
     equations: DeviationEquations,
-    series: SlowSeries,
+    beta: fmpq,
+    slow: tuple[arb, arb, arb],
     shares: tuple[arb, arb, arb],
     z: arb,
     coefficient: arb,
     scaled: arb,
     beside: Beside = _NOTHING,
 ) -> HandOver:
-    """The set (13), or (17), where p = ``scaled`` delta^2 and C is in the ball ``coefficient``."""
+    """The set (13), or (17), where p = ``scaled`` delta^2, C is in the ball ``coefficient``, and V = L r v, W = L p w,
+    phi = L p f on the slow part, (v, w, f) = ``slow``."""
     root = scaled.sqrt()
-    h, r = -equations.alpha_1 / (root * scaled), root * equations.small
+    r = root * equations.small
     last = r.upper()
-    size = -coefficient * scaled ** ball(series.beta - 1)  # L delta^-mu
+    size = -coefficient * scaled ** ball(beta - 1)  # L delta^-mu
     first, second, third = (share * z for share in shares)
-    v, w, f = (evaluated(one, h, r) for one in (series.v, series.w, series.f))
+    v, w, f = slow
     lag, kappa = equations.lag / equations.rate, equations.kappa
-    slow_b, slow_y = -scaled, (r * r * f - lag * v - 1 - w) / kappa
-    slow_v = root * evaluated(series.v / R, h, r)
+    slow_b, slow_y = -scaled, (r * r * f - lag * r * v - 1 - w) / kappa
+    slow_v = root * v
     spread_y, spread_v = (second + (third + lag * first) * last) / kappa, first * root
     fast = abs(size) * (abs(r * r * f) + third * last) + abs(beside.fast)
 
     column, radii = [arb(0)] * equations.size, [arb(0)] * equations.size
     column[equations.b] = (size.mid() * slow_b).mid()
     shift = abs(beside.b / column[equations.b])
-    for i, slow, spread, more in (
+    for i, along, spread, more in (
         (equations.y, slow_y, spread_y, beside.y),
         (equations.v, slow_v, spread_v, beside.v),
     ):
-        column[i] = (size.mid() * slow).mid()
-        beyond = slow - slow_b * column[i] / column[equations.b]
+        column[i] = (size.mid() * along).mid()
+        beyond = along - slow_b * column[i] / column[equations.b]
         radii[i] = (abs(size) * (beyond.abs_upper() + spread) + abs(more) + shift * abs(column[i])).upper()
     column[_B], square = column[equations.b], equations.delta**2
     radii[_Y] = ((abs(size) * (abs(slow_y) + spread_y) + abs(beside.y)) * square**2).upper()

@@ -1,7 +1,7 @@
 """The slow part of the deviation of the model system, by polynomials in h = e/p^(3/2) and r = sqrt(p).
 
-Proof page: ``proofs/from_state.md``, section 2, and section 8 for slopes. Exact rationals. The names v, w, f are those
-of the page: H_V = v, H_W = r^2 w, H_phi = r^2 f.
+Proof page: ``proofs/from_state.md``, section 2. Exact rationals. The names v, w, f are those of the page: H_V = v,
+H_W = r^2 w, H_phi = r^2 f.
 """
 
 from __future__ import annotations
@@ -51,23 +51,6 @@ def contact_text(springs: Regularisation) -> str:
     return f"(k_1 epsilon^2, k_2 epsilon^2, c epsilon) = ({springs.k_1}, {springs.k_2}, {springs.c})"
 
 
-_ZERO = fmpq(0)  # of a slope that is not given
-
-
-@dataclass(frozen=True)
-class Slopes:
-    """What is of first order in p: p' = -h r (1 + ``fall`` p) p, and h r p ``force`` L, h r ``back`` W, h r ``turn`` W
-    in -L', -L', W'; section 8. All 0: the model system."""
-
-    fall: fmpq = _ZERO
-    force: fmpq = _ZERO
-    back: fmpq = _ZERO
-    turn: fmpq = _ZERO
-
-
-LEVEL = Slopes()
-
-
 @dataclass(frozen=True)
 class SlowSeries:
     """v, w, f, and the residual divided by e L: (r r_V, r_W, r r_phi)/e, as polynomials in (h, r)."""
@@ -78,10 +61,19 @@ class SlowSeries:
     w: fmpq_mpoly
     f: fmpq_mpoly
     residual: tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]
-    slopes: Slopes = LEVEL
+
+    @property
+    def coupling(self) -> tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]:
+        """What x_2 feeds into x_1, x_2, x_3 besides r, 0, (l/g) r, over h r, (4)."""
+        return self.beta * self.v / R, self.beta - 1 + self.beta * self.w, self.beta * R * self.f
+
+    @property
+    def level_fall(self) -> fmpq_mpoly:
+        """-p'/(h r p)."""
+        return RING.constant(1)
 
 
-def slow_series(beta: fmpq, contact: Contact, order: int, slopes: Slopes = LEVEL) -> SlowSeries:
+def slow_series(beta: fmpq, contact: Contact, order: int) -> SlowSeries:
     """The polynomials up to h^order; section 2, (3).
 
     :raises ValueError: the order is not positive.
@@ -93,7 +85,7 @@ def slow_series(beta: fmpq, contact: Contact, order: int, slopes: Slopes = LEVEL
     if not order > 0:
         raise ValueError(f"the order must be positive, got {order}")
     kappa, rate, lag = contact.kappa, contact.rate, contact.lag
-    rules = _Rules(beta, contact, slopes)
+    rules = _Rules(beta, contact)
     v = w = f = 0 * H
     while True:
         v_next = _cut(rules.force(w, f) / kappa, order)
@@ -107,7 +99,7 @@ def slow_series(beta: fmpq, contact: Contact, order: int, slopes: Slopes = LEVEL
         _exact_quotient(rules.force(w, f) - kappa * v, H * R),
         _exact_quotient(lag / rate * w - rate * f - rules.along_square(f, w), H),
     )
-    return SlowSeries(beta, contact, v, w, f, residual, slopes)
+    return SlowSeries(beta, contact, v, w, f, residual)
 
 
 def terms_of(polynomial: fmpq_mpoly) -> dict[tuple[int, int], fmpq]:
@@ -115,10 +107,9 @@ def terms_of(polynomial: fmpq_mpoly) -> dict[tuple[int, int], fmpq]:
     return {(int(i), int(n)): value for (i, n), value in polynomial.to_dict().items()}
 
 
-def change(polynomial: fmpq_mpoly, slopes: Slopes = LEVEL) -> fmpq_mpoly:
-    """d/dT: h' = (3/2) h^2 r, r' = -(1/2) h r^2, times 1 + fall p."""
-    level = fmpq(3, 2) * H * H * R * polynomial.derivative(0) - fmpq(1, 2) * H * R * R * polynomial.derivative(1)
-    return (1 + slopes.fall * R * R) * level
+def change(polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    """d/dT: h' = (3/2) h^2 r, r' = -(1/2) h r^2."""
+    return fmpq(3, 2) * H * H * R * polynomial.derivative(0) - fmpq(1, 2) * H * R * R * polynomial.derivative(1)
 
 
 @dataclass(frozen=True)
@@ -127,21 +118,18 @@ class _Rules:
 
     beta: fmpq
     contact: Contact
-    slopes: Slopes
 
     def along(self, polynomial: fmpq_mpoly, w: fmpq_mpoly) -> fmpq_mpoly:
         """D: the change of polynomial * L over L, on the slow solution."""
-        fall = (self.beta - 1) + self.slopes.force * R * R + (self.beta + self.slopes.back * R * R) * w
-        return change(polynomial, self.slopes) - H * R * fall * polynomial
+        return change(polynomial) - H * R * ((self.beta - 1) + self.beta * w) * polynomial
 
     def along_square(self, polynomial: fmpq_mpoly, w: fmpq_mpoly) -> fmpq_mpoly:
         """r^-2 D(r^2 polynomial)."""
-        return self.along(polynomial, w) - H * R * (1 + self.slopes.fall * R * R) * polynomial
+        return self.along(polynomial, w) - H * R * polynomial
 
     def force(self, w: fmpq_mpoly, f: fmpq_mpoly) -> fmpq_mpoly:
         """[e (beta-1)(1 + w) - g p H_phi - D H_W]/r^2: what kappa v balances."""
-        driven = self.beta - 1 + self.slopes.force * R * R + (self.beta - 1 + self.slopes.turn * R * R) * w
-        return H * R * driven - self.contact.rate * R * R * f - self.along_square(w, w)
+        return H * R * (self.beta - 1) * (1 + w) - self.contact.rate * R * R * f - self.along_square(w, w)
 
 
 def _cut(polynomial: fmpq_mpoly, order: int) -> fmpq_mpoly:

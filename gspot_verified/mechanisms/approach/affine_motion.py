@@ -64,7 +64,9 @@ def affine_system_of(mechanism: Mechanism) -> tuple[tuple[str, str], AffineSyste
     first, second, third = affine
     if first is None or second is None or third is None:
         return None
-    if not (first.value < 0 and second.value < 0 and third.value < first.value and third.value != 2 * first.value):
+    if not (first.value < 0 and second.value < 0 and third.value < first.value):
+        return None
+    if (third.value / first.value).q == 1:  # beta is an integer: the reference has a logarithm
         return None
     names = mechanism.state[places[0]], mechanism.state[places[1]]
     if any(angle.coordinate in names for angle in mechanism.angles):

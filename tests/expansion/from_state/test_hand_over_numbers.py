@@ -236,7 +236,10 @@ def test_what_the_reference_differs_by_is_added_with_any_sign(c_1: str, bits: in
         own = [in_mpmath(one) for one in more]
         with working_bits(bits):
             beside = Beside(more[0], more[1], more[2], more[3], (more[4], more[5], more[6], more[7]))
-            found = framed(equations(), SERIES, SHARES, arb("0.015625"), arb(c_1), arb("2.25"), beside)
+            one, root = equations(), arb("1.5")
+            h, r = -one.alpha_1 / root**3, root * one.small
+            v, w, f = (evaluated(part, h, r) for part in (SERIES.v / R, SERIES.w, SERIES.f))
+            found = framed(one, SERIES.beta, (v, w, f), SHARES, arb("0.015625"), arb(c_1), root**2, beside)
         column = [in_mpmath(found.frame[i, 5]) for i in range(8)]
         radii = [in_mpmath(one) for one in found.radii]
         for x in ((1, 1, 1), (-1, -1, -1), (1, -1, 1)):

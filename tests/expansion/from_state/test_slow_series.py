@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from samples.strategies import to_fmpq, to_fraction
 from witnesses.slow_deviation import Dual, at, rates
 
-from gspot_verified.expansion.from_state.slow_series import Contact, slow_series
+from gspot_verified.expansion.from_state.slow_series import Contact, H, R, slow_series
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 
 NUMBERS = st.fractions(min_value=Fraction(1, 4), max_value=4, max_denominator=12)
@@ -84,3 +84,15 @@ def test_what_is_no_contact_or_no_order() -> None:
         Contact.of(Regularisation.of(1, 1, 0))
     with pytest.raises(ValueError, match="order"):
         slow_series(fmpq(3, 2), Contact.of(PAPER), 0)
+
+
+@pytest.mark.parametrize("beta", [fmpq(3, 2), fmpq(7, 3)])
+def test_what_the_fast_part_feeds_back(beta: fmpq) -> None:
+    """(4): x_2 enters x_1, x_2, x_3 by r + beta h v, h r (beta - 1 + beta w), (l/g) r + beta h r^2 f; p' = -h r p."""
+    series = slow_series(beta, Contact.of(PAPER), 3)
+    first, second, third = series.coupling
+    assert H * R * first == beta * H * series.v
+    assert second - beta * series.w == beta - 1
+    assert H * R * third == beta * H * R**2 * series.f
+    assert series.w != 0 != series.f
+    assert series.level_fall == 1
