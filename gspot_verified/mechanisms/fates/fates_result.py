@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -12,7 +13,7 @@ from gspot_verified.mechanisms.fates.box_fate import Fate
 from gspot_verified.mechanisms.fates.fate_piece import FatePiece
 from gspot_verified.mechanisms.fates.spot_sides import SpotSides
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
-from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exact
+from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exact, rounded_text
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
@@ -107,7 +108,7 @@ class Fates(NoTruthValue, Written):
         for fate in Fate:
             share = self.shares.get(fate.value)
             if share is not None:
-                lines.append(f"  {100 * approximate(share):.4g} %: {self.words(fate)}")
+                lines.append(f"  {_percent(share)} %: {self.words(fate)}")
         if self.sides.why:
             lines.append(f"  no side for small epsilon: {self.sides.why}")
         else:
@@ -147,6 +148,13 @@ class FatesSummary(NoTruthValue, Written):
     written: ClassVar[str] = under("fates", _SUMMARY)
 
     fates: Fates
+
+
+def _percent(share: fmpq) -> str:
+    """Four digits, rounded down: 100 is said of the whole range alone."""
+    if share == 1:
+        return "100"
+    return rounded_text(min(approximate(100 * share), math.nextafter(100.0, 0.0)), -1, 4)
 
 
 def _size(lower: tuple[fmpq, ...], upper: tuple[fmpq, ...]) -> fmpq:

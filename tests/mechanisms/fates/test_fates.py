@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 from collections import Counter
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -153,6 +154,20 @@ def test_slip_is_counted_from_the_velocity_of_the_surface() -> None:
     for u, surface, fate in ((2, 3, Fate.NO_SLIP), (2, 1, Fate.OPENS), (-2, -3, Fate.OPENS), (-2, -1, Fate.NO_SLIP)):
         result = fates(family(), {"x": 0, "u": u, "b": 1}, {"p": "1/4..1/2:2"}, surface_velocity=surface)
         assert {piece.fate for piece in result.pieces} == {fate}, (u, surface)
+
+
+@pytest.mark.parametrize(
+    ("share", "shown"),
+    [(fmpq(1), "100"), (1 - fmpq(1, 10**6), "99.99"), (1 - fmpq(1, 10**40), "99.99"), (fmpq(2, 3), "66.66")],
+)
+def test_a_share_is_rounded_down(share: fmpq, shown: str) -> None:
+    """A small part that is undecided, or lifts off, made the rest "100 %"."""
+    result = fates(family(), {"x": 0, "u": 2, "b": "1/4"}, {"p": "-1/2..-1/4:1"})
+    (piece,) = result.pieces
+    cut = fmpq(-1, 2) + share / 4
+    parts = [replace(piece, upper=(cut,)), replace(piece, lower=(cut,), fate=Fate.UNDECIDED)]
+    text = str(replace(result, pieces=tuple(parts[: 1 + (share < 1)])))
+    assert f"  {shown} %: p < 0 at the start" in text
 
 
 def test_a_cell_on_an_edge_of_the_starts_says_so() -> None:
