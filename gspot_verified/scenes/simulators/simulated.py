@@ -69,15 +69,20 @@ def _lost(times: Sequence[float], free: Sequence[bool], lasting: float) -> int |
 def read_motion(path: str | Path, functions: ContactFloats) -> Simulated:
     """A table of comma-separated values: a column t, one for each component of the state, and, if known, force.
 
-    :raises SceneError: the file cannot be read, a column is missing, a value is no finite number, times do not grow.
+    :raises SceneError: the file cannot be read, a column is missing or there twice, a value is no finite number, times
+        do not grow.
     """
     try:
         with open(path, newline="", encoding="utf-8") as lines:
-            rows = list(csv.DictReader(lines))
+            reader = csv.DictReader(lines)
+            rows, columns = list(reader), list(reader.fieldnames or ())
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise SceneError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
     if not 2 <= len(rows) <= MAX_ROWS:
         raise SceneError(f"{path}: expected 2 to {MAX_ROWS} rows below a line of names, got {len(rows)}")
+    twice = [name for name in ("t", *functions.names, "force") if columns.count(name) > 1]
+    if twice:
+        raise SceneError(f"{path}: column {', '.join(twice)} is there twice")
     missing = [name for name in ("t", *functions.names) if name not in rows[0]]
     if missing:
         raise SceneError(f"{path}: no column {', '.join(missing)}; needed: t, {', '.join(functions.names)}")

@@ -72,6 +72,7 @@ def written(path: Path, rows: list[tuple[float, ...]], head: str = "t,X,Y,theta,
         ("t,X,Y,theta,X_dot,Y_dot,theta_dot", (0, 0, "one", 0, 0, 0, 0), "line 2: Y is no finite number: 'one'"),
         ("t,X,Y,theta,X_dot,Y_dot,theta_dot", (0, 0, 0, 0, 0, 0, 0), "the times of column t must grow"),
         ("t,X,Y,theta,X_dot,Y_dot,theta_dot", (0, 0, 0), "theta is no finite number"),
+        ("t,X,Y,theta,X_dot,Y_dot,theta_dot,Y,Y", (0,) * 9, "column Y is there twice"),
     ],
 )
 def test_a_table_that_is_none_is_refused(tmp_path: Path, head: str, row: tuple[float, ...], message: str) -> None:
