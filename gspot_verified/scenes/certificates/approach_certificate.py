@@ -217,11 +217,12 @@ class _Writer:
             return ["negative"]
         rate = rises - inside.alpha_1
         if rises < 0 and rate > 0:
-            limit = inside.alpha_2 / rises
-            slope = slip.slope_of_limit(found.box, hull((at.force, limit))).abs_upper()
+            slope = slip.slope_of_limit(found.box, hull((at.force, inside.alpha_2 / rises))).abs_upper()
             excess = at.force - at.alpha_2 / (at.alpha_3 - at.alpha_1)
-            if excess.abs_lower() * rate.lower() > slope * at.p.upper():
-                return ["negative"] if excess > 0 else ["positive"]
+            if excess.lower() * rate.lower() > slope * at.p.upper():
+                return ["negative"]
+            if -excess.upper() * rate.lower() > slope * at.p.upper():
+                return ["positive"]
         return []
 
 
