@@ -52,7 +52,7 @@ def approach_certificate(mechanism: Mechanism, state: StateInput, *, surface_vel
 
     >>> from gspot_verified import load
     >>> rod = load("rod")
-    >>> print(approach_certificate(rod, {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": 1})[:36])
+    >>> print(approach_certificate(rod, {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": "1/2"})[:36])
     {"format":"gspot_verified certificat
     """
     shifted = shift(mechanism)
