@@ -60,6 +60,33 @@ def test_a_note_on_runs_says_so(whole_ledger: list[Entry]) -> None:
     assert {name: found for name, found in notes.items() if found} == {}
 
 
+def shows_a_drawing(statement: str) -> bool:
+    """Whether a statement is on what a figure shows, and names none of the paper's words as the witness.
+
+    No figure is at hand: where caption and text say different things, neither of them is shown to be wrong.
+    """
+    drawn = re.search(r"\bFigures? \d", statement) and re.search(r"\b(?:line|curve|colour)s?\b", statement)
+    return bool(drawn) and not re.search(r"\b(?:captions?|text)\b", statement)
+
+
+def test_what_a_figure_shows_is_by_the_papers_words(whole_ledger: list[Entry]) -> None:
+    assert [entry.statement for entry in whole_ledger if shows_a_drawing(entry.statement)] == []
+
+
+@pytest.mark.parametrize(
+    ("statement", "found"),
+    [
+        ("The distinguished trajectory is the dashed red line of Figures 3 and 4", True),
+        ("The distinguished trajectory is the dashed red line of Figures 3 and 4, as their captions say", False),
+        ("Each of the panels of Figure 6 has the trivial solution as a dot-dashed line", True),
+        ("By the text each of the panels of Figure 6 has the trivial solution as a dot-dashed line", False),
+        ("The α's of Figure 6 are in Case I", False),
+    ],
+)
+def test_what_is_a_drawing(statement: str, found: bool) -> None:
+    assert shows_a_drawing(statement) is found
+
+
 def test_every_statement_is_a_sentence(whole_ledger: list[Entry]) -> None:
     assert [entry.statement for entry in whole_ledger if not is_a_sentence(entry.statement)] == []
 

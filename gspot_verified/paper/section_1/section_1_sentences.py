@@ -134,7 +134,7 @@ def _colours() -> Entry:
         "1-colours",
         COLOURS,
         r"\text{dashed red line in Figs. 3 and 4}",
-        "The distinguished trajectory is the dashed red line of Figures 3 and 4",
+        "The distinguished trajectory is the dashed red line of Figures 3 and 4, as their captions say",
         *(
             held_against(COLOURS, f"{figure}: text and caption", words, IN_THE_CAPTION[figure.removesuffix(" again")])
             for figure, words in IN_THE_TEXT.items()
