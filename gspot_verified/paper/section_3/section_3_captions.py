@@ -66,8 +66,8 @@ def _trivial_shown() -> Entry:
         "3-trivial-shown",
         SHOWN,
         r"\text{In each plot, a dot-dashed line depicts the trivial solution}",
-        "By the text, and by the five starts of the caption, each of the panels (a), (b), (c) of Figure 6 has the trivial "
-        "solution as a dot-dashed line",
+        "By the text, and by the five starts of the caption, each of the panels (a), (b), (c) of Figure 6 has the "
+        "trivial solution as a dot-dashed line",
         Check(
             Rung.EXACT,
             "the text on panel (a)",
