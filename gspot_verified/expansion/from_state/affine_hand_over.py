@@ -41,8 +41,9 @@ def affine_hand_over(
     z = tube.bound(h, r.upper())
     coefficient = given.coefficient(tube.start.e) * carried(given, tube, h, r).exp()
     excess = -coefficient * power_of(r, manifold.mu)
-    v, w, f = (_over_excess(one, h, r, excess) for one in (H * manifold.u, manifold.w, manifold.f))
-    return framed(equations, manifold.beta, (v, w, f), tube.shares, z, coefficient, scaled=scaled, beside=beside)
+    parts = (H * R * manifold.u, H * manifold.u, manifold.w, manifold.f)
+    slow = tuple(_over_excess(one, h, r, excess) for one in parts)
+    return framed(equations, manifold.beta, slow, tube.shares, z, coefficient, scaled=scaled, beside=beside)
 
 
 def _over_excess(polynomial: fmpq_mpoly, h: arb, r: arb, excess: arb) -> arb:

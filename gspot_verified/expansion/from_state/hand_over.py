@@ -42,8 +42,8 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
     a, far = ball(rate), ball(place)
     h, r = (1 / (a * far**3)).sqrt(), (a * far).sqrt() * equations.small
     z = tube.bound(h, r.upper())
-    v, w, f = (evaluated(one, h, r) for one in (series.v / R, series.w, series.f))
-    return framed(equations, series.beta, (v, w, f), tube.shares, z, c_1 * carried(tube, series, h, r).exp(), a * far)
+    slow = tuple(evaluated(one, h, r) for one in (series.v, series.v / R, series.w, series.f))
+    return framed(equations, series.beta, slow, tube.shares, z, c_1 * carried(tube, series, h, r).exp(), a * far)
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ _NOTHING = Beside(arb(0), arb(0), arb(0), arb(0), (arb(0), arb(0), arb(0), arb(0
 def framed(
     equations: DeviationEquations,
     beta: fmpq,
-    slow: tuple[arb, arb, arb],
+    slow: tuple[arb, ...],
     shares: tuple[arb, arb, arb],
     z: arb,
     coefficient: arb,
@@ -72,15 +72,15 @@ def framed(
     beside: Beside = _NOTHING,
 ) -> HandOver:
     """The set (13), or (17), where p = ``scaled`` delta^2, C is in the ball ``coefficient``, and V = L r v, W = L p w,
-    phi = L p f on the slow part, (v, w, f) = ``slow``."""
+    phi = L p f on the slow part, (r v, v, w, f) = ``slow``: r v by itself, as r is a ball."""
     root = scaled.sqrt()
     r = root * equations.small
     last = r.upper()
     size = -coefficient * scaled ** ball(beta - 1)  # L delta^-mu
     first, second, third = (share * z for share in shares)
-    v, w, f = slow
+    speed, v, w, f = slow
     lag, kappa = equations.lag / equations.rate, equations.kappa
-    slow_b, slow_y = -scaled, (r * r * f - lag * r * v - 1 - w) / kappa
+    slow_b, slow_y = -scaled, (r * r * f - lag * speed - 1 - w) / kappa
     slow_v = root * v
     spread_y, spread_v = (second + (third + lag * first) * last) / kappa, first * root
     fast = abs(size) * (abs(r * r * f) + third * last) + abs(beside.fast)

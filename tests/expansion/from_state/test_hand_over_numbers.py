@@ -238,8 +238,8 @@ def test_what_the_reference_differs_by_is_added_with_any_sign(c_1: str, bits: in
             beside = Beside(more[0], more[1], more[2], more[3], (more[4], more[5], more[6], more[7]))
             one, root = equations(), arb("1.5")
             h, r = -one.alpha_1 / root**3, root * one.small
-            v, w, f = (evaluated(part, h, r) for part in (SERIES.v / R, SERIES.w, SERIES.f))
-            found = framed(one, SERIES.beta, (v, w, f), SHARES, arb("0.015625"), arb(c_1), root**2, beside)
+            slow = tuple(evaluated(part, h, r) for part in (SERIES.v, SERIES.v / R, SERIES.w, SERIES.f))
+            found = framed(one, SERIES.beta, slow, SHARES, arb("0.015625"), arb(c_1), root**2, beside)
         column = [in_mpmath(found.frame[i, 5]) for i in range(8)]
         radii = [in_mpmath(one) for one in found.radii]
         for x in ((1, 1, 1), (-1, -1, -1), (1, -1, 1)):
