@@ -133,8 +133,9 @@ def report_scene(name: str, source: Source) -> ReportScene:
     :raises SceneError: there is no such scene, it is that of another mechanism, or beside the page it would be another.
     :raises MechanismError: no TOML, or a key is wrong.
     """
-    scene = load_scene(name)
-    if scene.mechanism is None or replace(scene.mechanism, place=source.mechanism.place) != source.mechanism:
+    scene, own = load_scene(name), source.mechanism
+    # A name says which parameters --set changed: those of the scene may be written elsewhere.
+    if scene.mechanism is None or replace(scene.mechanism, place=own.place, name=own.name) != own:
         raise SceneError(f"{name[:60]}: the scene is of another mechanism, or of other parameters, than the report")
     if name in scene_names():
         return ReportScene(scene, name)

@@ -49,7 +49,7 @@ class Source:
 
         :raises MechanismError: a part of it is wrong.
         """
-        return parse_mechanism(self.text).with_parameters(**self.settings)
+        return parse_mechanism(self.text).changed(**self.settings)
 
     def command(self, name: str, *words: str, option: str | None = None) -> str:
         """A command of gspot-verified about this mechanism."""
