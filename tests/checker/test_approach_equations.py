@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from flint import arb, fmpq
 from must_reject import mutate
+from samples.checker_models import at_balls
 from scipy.integrate import solve_ivp
 
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
@@ -39,16 +40,6 @@ MECHANISMS += [f"{DATA}gallery/{name}.toml" for name in ("ladder", "rod_with_wri
 
 def meter() -> Any:
     return limits.Meter(limits.Limits(), 10**12)
-
-
-def at_balls(polynomial: Any, at: dict[str, arb]) -> arb:
-    total = arb(0)
-    for key, value in polynomial.items():
-        term = arb(fmpq(value.numerator, value.denominator))
-        for name in key:
-            term = term * at[name]
-        total += term
-    return total
 
 
 @pytest.mark.parametrize("name", MECHANISMS)

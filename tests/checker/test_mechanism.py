@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from flint import arb, fmpq
 from must_reject import runs
+from samples.checker_models import at_balls
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.derive.to_system import angle_ball
@@ -43,16 +44,6 @@ def checkers(scene: Scene) -> Any:
     start = {polynomials.place.get(name, name): str(value) for name, value in scene.initial().items()}
     effects = sorted(scene.effects)
     return scene_of(polynomials.given, effects, str(scene.epsilon), str(scene.until), values, start)
-
-
-def at_balls(polynomial: Any, at: dict[str, arb]) -> arb:
-    total = arb(0)
-    for key, value in polynomial.items():
-        term = arb(fmpq(value.numerator, value.denominator))
-        for name in key:
-            term = term * at[name]
-        total += term
-    return total
 
 
 @pytest.mark.parametrize(("name", "phase"), PHASES)

@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 COQ = Path(__file__).resolve().parents[2] / "proofs" / "coq"
@@ -35,14 +36,19 @@ Names = Mapping[str, Any]
 """What a name stands for: a number, or a function with the number of its arguments as attribute of :class:`Applied`."""
 
 
-def without_comments(text: str) -> str:
-    """The text as the script that compiles the proofs reads it."""
-    spec = importlib.util.spec_from_file_location("source_rules_of_the_statements", COQ / "source_rules.py")
+def script_named(name: str) -> ModuleType:
+    """A script of the folder of proofs, which is no package, as a module of its own."""
+    spec = importlib.util.spec_from_file_location(name, COQ / f"{name}.py")
     assert spec
     assert spec.loader
-    rules = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(rules)
-    return str(rules.code(text))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def without_comments(text: str) -> str:
+    """The text as the script that compiles the proofs reads it."""
+    return str(script_named("source_rules").code(text))
 
 
 @cache

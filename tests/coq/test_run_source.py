@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import random
 import re
 from fractions import Fraction
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import pytest
+from coq.coq_terms import COQ, script_named
 
-COQ = Path(__file__).resolve().parents[2] / "proofs" / "coq"
 RUN = COQ.parent / "run_fig_varsim1.cert"
 NUMBER = re.compile(r"-?\d+(?: / \d+)?")
 START = ("p", "b", "y", "v", "z")
@@ -22,12 +20,7 @@ START = ("p", "b", "y", "v", "z")
 @pytest.fixture
 def script() -> ModuleType:
     """The script as a module."""
-    spec = importlib.util.spec_from_file_location("run_source", COQ / "run_source.py")
-    assert spec
-    assert spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return script_named("run_source")
 
 
 def numbers(text: str) -> list[Fraction]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import random
 from fractions import Fraction
+from typing import Any
 
 import mpmath
+from flint import arb, fmpq
 from must_reject import mutate
 
 check = mutate.checker()
@@ -14,6 +16,17 @@ DIGITS = 120
 LIMITS = check.limits.Limits()
 ENDLESS = check.limits.Meter(LIMITS, 10**18)
 NO_COLUMN = check.pieces.Column(Fraction(1), Fraction(2), 0, [])
+
+
+def at_balls(polynomial: Any, at: dict[str, arb]) -> arb:
+    """A polynomial of the checker on balls."""
+    total = arb(0)
+    for key, value in polynomial.items():
+        term = arb(fmpq(value.numerator, value.denominator))
+        for name in key:
+            term = term * at[name]
+        total += term
+    return total
 
 
 def on_a_column(budget: int = 10**18, limits: check.limits.Limits = LIMITS) -> check.pieces.ColumnCheck:
