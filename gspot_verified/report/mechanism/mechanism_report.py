@@ -89,7 +89,7 @@ def mechanism_report(
 
     >>> report = mechanism_report("falling-rod-lower-friction", settings={"mu": "13/10"})
     >>> report.exit_code, report.search.text.partition(":")[0]
-    (1, 'falling rod, lower friction has no G-spot')
+    (1, 'falling rod, lower friction, mu = 13/10 has no G-spot')
     """
     if directory is not None:
         _check_folder(Path(directory))
