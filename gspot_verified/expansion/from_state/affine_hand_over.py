@@ -35,7 +35,7 @@ def affine_hand_over(
         return "the start lies after the hand-over"
     beside = _beside(equations, manifold, place)
     if beside is None:
-        return "the reference differs from Theorem 1 at an order below mu"
+        return "the reference differs from Theorem 1 at an order below mu, or is no polynomial in p and epsilon"
     root = scaled.sqrt()
     h, r = ball(a) / (root * scaled), root * equations.small
     z = tube.bound(h, r.upper())
@@ -53,7 +53,7 @@ def _over_excess(polynomial: fmpq_mpoly, h: arb, r: arb, excess: arb) -> arb:
 
 
 def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) -> Beside | None:
-    """Reference minus polynomials at s = -``place``; None unless every order is above mu."""
+    """Reference minus polynomials at s = -``place``; None unless they are polynomials in delta with orders >= mu."""
     known = {
         name: fmpq_poly([fmpq_poly(term.coefficients())(-place) for term in terms])
         for name, terms in equations.trajectory.terms().items()
@@ -67,15 +67,14 @@ def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) 
         (speed, _DELTA * known["v"], 1),
         (fast, known["lambda_n"] + kappa * known["y"] + lag * _DELTA * known["v"], 0),
     )
-    p, low = square * known["p"], equations.expansion("p", ball(-place)).lower()
+    p = square * known["p"]
     sizes = list[arb | None]()
     for reference, polynomial, unit in compared:
-        above, below = _in_delta(reference, p, manifold.system.a)
-        off = above - polynomial * p**below
-        sizes.append(_over(equations, off, manifold.mu + unit + 2 * below, low**below))
+        exact = _in_delta(reference, p, manifold.system.a)
+        sizes.append(None if exact is None else _over(equations, exact - polynomial, manifold.mu + unit))
     own = (known["p"], known["b"], square * square * known["y"], square * known["v"])
     for i, value in enumerate(own):
-        sizes.append(_over(equations, value - known[f"xi_{i + 1}"], manifold.mu, arb(1)))
+        sizes.append(_over(equations, value - known[f"xi_{i + 1}"], manifold.mu))
     found = [one for one in sizes if one is not None]
     if len(found) < len(sizes):
         return None
@@ -83,20 +82,19 @@ def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) 
     return Beside(b, y, v, phi, (first, second, third, fourth))
 
 
-def _in_delta(polynomial: fmpq_mpoly, p: fmpq_poly, a: fmpq) -> tuple[fmpq_poly, int]:
-    """(N, m): the polynomial at L = 0 is N/p^m, where e = a delta^3 and p are polynomials in delta."""
-    terms = still_terms(polynomial).items()
-    if any((n - 3 * i) % 2 for (i, n), _ in terms):
-        raise ArithmeticError("a power of e times a half power of p")
-    below = max((max(0, (3 * i - n) // 2) for (i, n), _ in terms), default=0)
+def _in_delta(polynomial: fmpq_mpoly, p: fmpq_poly, a: fmpq) -> fmpq_poly | None:
+    """The polynomial at L = 0, where e = a delta^3 and p are polynomials in delta; None if it is none in p and e."""
     total = fmpq_poly([0])
-    for (i, n), value in terms:
-        total += value * (a * _DELTA**3) ** i * p ** ((n - 3 * i) // 2 + below)
-    return total, below
+    for (i, n), value in still_terms(polynomial).items():
+        power, odd = divmod(n - 3 * i, 2)  # h^i r^n = e^i p^((n - 3 i)/2)
+        if power < 0 or odd:
+            return None
+        total += value * (a * _DELTA**3) ** i * p**power
+    return total
 
 
-def _over(equations: DeviationEquations, polynomial: fmpq_poly, power: fmpq, divisor: arb) -> arb | None:
-    """0 +- a bound of the polynomial over delta^power divisor for all delta of the range; None if an order is below."""
+def _over(equations: DeviationEquations, polynomial: fmpq_poly, power: fmpq) -> arb | None:
+    """0 +- a bound of the polynomial over delta^power for all delta of the range; None if an order is below."""
     total = arb(0)
     for n, value in enumerate(polynomial.coeffs()):
         if value == 0:
@@ -104,4 +102,4 @@ def _over(equations: DeviationEquations, polynomial: fmpq_poly, power: fmpq, div
         if not n >= power:
             return None
         total += abs(ball(value)) * equations.delta ** ball(n - power)
-    return add_remainder(arb(0), (total / divisor).upper())
+    return add_remainder(arb(0), total.upper())

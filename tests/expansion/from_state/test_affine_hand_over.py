@@ -14,13 +14,13 @@ import pytest
 from flint import arb, fmpq, fmpq_poly
 from mpmath import mpf
 
-from gspot_verified.expansion.from_state.affine_hand_over import _beside, _over, affine_hand_over
+from gspot_verified.expansion.from_state.affine_hand_over import _beside, _in_delta, _over, affine_hand_over
 from gspot_verified.expansion.from_state.affine_system import AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, ExcessBounds, carried
 from gspot_verified.expansion.from_state.barrier import Start
 from gspot_verified.expansion.from_state.fast_growth import Rectangle
 from gspot_verified.expansion.from_state.hand_over import HandOver
-from gspot_verified.expansion.from_state.slow_manifold import Cut, SlowManifold, excess_terms, slow_manifold
+from gspot_verified.expansion.from_state.slow_manifold import Cut, H, L, R, SlowManifold, excess_terms, slow_manifold
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.numbers.balls import hull, working_bits
@@ -181,7 +181,7 @@ def test_another_system_is_noticed(name: str) -> None:
     off = replace(getattr(STEEPER, name), by_p=fmpq(1, 7))
     system = replace(STEEPER, **{name: off})
     found = affine_hand_over(equations(STEEPER), start(system, fmpq(1, 3)), tube(system, "0.5"), FAR)
-    assert found == "the reference differs from Theorem 1 at an order below mu"
+    assert found == "the reference differs from Theorem 1 at an order below mu, or is no polynomial in p and epsilon"
 
 
 @pytest.mark.parametrize("system", [STEEP, STEEPER], ids=["beta 5/4", "beta 7/3"])
@@ -247,17 +247,34 @@ def test_a_reference_of_higher_weight_is_nearer_to_theorem_1(system: AffineSyste
 
 def test_what_is_beside_is_bounded_from_mu_on() -> None:
     one, tenth = equations(STEEP), number(DELTA)
-    level = _over(one, fmpq_poly([0, 0, 0, 2]), fmpq(3), arb(1))
+    level = _over(one, fmpq_poly([0, 0, 0, 2]), fmpq(3))
     assert level is not None
     assert arb(2) <= level.rad() < arb("2.0000001")
-    assert _over(one, fmpq_poly([0, 0, 0, 2]), fmpq(3) + fmpq(1, 10**9), arb(1)) is None
-    assert _over(one, fmpq_poly([0, 0, 1, 2]), fmpq(3), arb(1)) is None
-    value = _over(one, fmpq_poly([0, 0, 0, -2, 0, 5]), fmpq(5, 2), arb("0.5"))
+    assert _over(one, fmpq_poly([0, 0, 0, 2]), fmpq(3) + fmpq(1, 10**9)) is None
+    assert _over(one, fmpq_poly([0, 0, 1, 2]), fmpq(3)) is None
+    value = _over(one, fmpq_poly([0, 0, 0, -2, 0, 5]), fmpq(5, 2))
     assert value is not None
-    wanted = 4 * mpmath.sqrt(tenth) + 10 * tenth ** mpf("2.5")
+    wanted = 2 * mpmath.sqrt(tenth) + 5 * tenth ** mpf("2.5")
     assert wanted <= in_mpmath(value.rad()) < wanted * (1 + mpf(10) ** -8)
     assert value.mid() == 0
     with working_bits(24):
-        rough = _over(one, fmpq_poly([0, 0, 0, -2, 0, 5]), fmpq(5, 2), arb("0.5"))
+        rough = _over(one, fmpq_poly([0, 0, 0, -2, 0, 5]), fmpq(5, 2))
         assert rough is not None
         assert in_mpmath(rough.rad()) >= wanted
+
+
+def test_only_a_polynomial_in_p_and_e_is_one_in_delta() -> None:
+    """h^3 r^11 = e^3 p; h r^2 and h r are not."""
+    p, a = fmpq_poly([0, 0, 3, 1]), fmpq(5, 2)
+    found = _in_delta(2 * H**3 * R**11 + 7 * R**4 * (1 + L), p, a)
+    assert found == 2 * (a * fmpq_poly([0, 0, 0, 1])) ** 3 * p + 7 * p**2
+    for other in (H * R, H * R**2, H**2 * R**4, R):
+        assert _in_delta(R**2 + other, p, a) is None
+
+
+@pytest.mark.parametrize("part", ["force", "w", "u", "f"])
+def test_another_reference_is_noticed(part: str) -> None:
+    """One that is no polynomial in p and e, and one that is another at an order below mu."""
+    manifold = manifold_of(STEEPER)
+    for other in (H, R**0, *[H**2 * R**4] * (part in ("force", "w"))):  # e^2/p
+        assert _beside(equations(STEEPER), replace(manifold, **{part: getattr(manifold, part) + other}), FAR) is None
