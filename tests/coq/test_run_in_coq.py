@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import shutil
 import subprocess
@@ -19,22 +18,28 @@ RUN = COQ.parent / "run_fig_varsim1.cert"
 CLASSIC = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
 
 
-def with_number(change: str, *path: str | int) -> bytes:
-    """A small run with a number of its first line changed."""
-    lines = runs.flight()
-    at = lines[0]["statement"]
-    for key in path[:-1]:
-        at = at[key]
-    assert at[path[-1]] != change
-    at[path[-1]] = change
-    return text_of(lines)
+def without(change: Callable[[runs.Lines], object]) -> Callable[[], bytes]:
+    """Makes a small run with a line changed."""
+
+    def changed() -> bytes:
+        lines = runs.flight()
+        change(lines)
+        return text_of(lines)
+
+    return changed
 
 
-def without(change: Callable[[runs.Lines], object]) -> bytes:
-    """A small run with a line changed."""
-    lines = copy.deepcopy(runs.flight())
-    change(lines)
-    return text_of(lines)
+def with_number(change: str, *path: str | int) -> Callable[[], bytes]:
+    """Makes a small run with a number of its first line changed."""
+
+    def put(lines: runs.Lines) -> None:
+        at = lines[0]["statement"]
+        for key in path[:-1]:
+            at = at[key]
+        assert at[path[-1]] != change
+        at[path[-1]] = change
+
+    return without(put)
 
 
 def test_a_run_is_read(script: ModuleType) -> None:
@@ -65,22 +70,22 @@ FORGED = {
     "no epsilon": with_number("0", "epsilon"),
     "a step less": without(lambda lines: lines.pop(4)),
     "a later phase that is not there": without(lambda lines: lines.pop()),
-    "another hash": RUN.read_bytes()[:-10] + b"000000000\n",
+    "another hash": lambda: RUN.read_bytes()[:-10] + b"000000000\n",
     "a mechanism": with_number("run of a mechanism", "kind"),
 }
 
 
-@pytest.mark.parametrize("data", FORGED.values(), ids=list(FORGED))
+@pytest.mark.parametrize("forged", FORGED.values(), ids=list(FORGED))
 def test_what_the_checker_refuses_is_refused_before_coq_sees_it(
     script: ModuleType,
-    data: bytes,
+    forged: Callable[[], bytes],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Also where the fault comes after the first phase, of which the theorem does not speak."""
     monkeypatch.setattr(script, "proved", lambda *_: pytest.fail("Coq was started"))
-    (tmp_path / "forged.cert").write_bytes(data)
+    (tmp_path / "forged.cert").write_bytes(forged())
     assert script.main([str(tmp_path / "forged.cert")]) == 1
     assert capsys.readouterr().out.startswith("Not a certificate: ")
 

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterable
 from pathlib import Path
 
-from house.test_layout import FILES, name_of, tree_of
+from house.test_layout import FILES, name_of, nodes_of
 
 
 def homes(classes: Iterable[tuple[str, str]]) -> dict[tuple[str, str], list[str]]:
@@ -23,7 +23,7 @@ def twice(classes: Iterable[tuple[str, str]]) -> dict[tuple[str, str], list[str]
 
 
 def classes_of(path: Path) -> list[tuple[str, str]]:
-    return [(name_of(path), node.name) for node in ast.walk(tree_of(path)) if isinstance(node, ast.ClassDef)]
+    return [(name_of(path), node.name) for node in nodes_of(path) if isinstance(node, ast.ClassDef)]
 
 
 def test_no_class_name_stands_twice_in_a_layer() -> None:

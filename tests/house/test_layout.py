@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import warnings
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
@@ -106,6 +107,12 @@ def tree_of(path: Path) -> ast.Module:
         return ast.parse(path.read_text(encoding="utf-8"), str(path))
 
 
+@cache
+def nodes_of(path: Path) -> tuple[ast.AST, ...]:
+    """All nodes of the file: it is walked once for all rules."""
+    return tuple(ast.walk(tree_of(path)))
+
+
 def name_of(path: Path) -> str:
     return path.relative_to(PACKAGE).as_posix()
 
@@ -116,11 +123,11 @@ def room_of(path: Path) -> str:
     return {"__main__.py": "cli"}.get(path.name, "") if folder == "." else folder
 
 
-def imported_modules(path: Path, tree: ast.AST) -> list[tuple[int, str]]:
+def imported_modules(path: Path, nodes: Iterable[ast.AST]) -> list[tuple[int, str]]:
     """(line, dotted name) of every import in the file, at any depth; ``from a import b`` gives ``a.b``."""
     found = []
     package = ["gspot_verified", *path.relative_to(PACKAGE).parts[:-1]]
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Import):
             found += [(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
@@ -140,7 +147,7 @@ def room_of_name(dotted: str) -> str:
 def inner_imports(path: Path) -> list[tuple[int, str]]:
     """(line, room) of every import from the package itself."""
     rooms = []
-    for line, dotted in imported_modules(path, tree_of(path)):
+    for line, dotted in imported_modules(path, nodes_of(path)):
         first, _, rest = dotted.partition(".")
         if first == "gspot_verified" and not rest.startswith("__"):
             rooms.append((line, room_of_name(rest)))
@@ -192,7 +199,7 @@ def module_of(path: Path) -> str:
 def module_imports(path: Path, modules: frozenset[str]) -> set[str]:
     """Which of the modules the file imports, at any depth: the longest part of each dotted name that is one."""
     found = set()
-    for _, dotted in imported_modules(path, tree_of(path)):
+    for _, dotted in imported_modules(path, nodes_of(path)):
         parts = dotted.split(".")
         prefixes = [".".join(parts[:length]) for length in range(len(parts), 0, -1)]
         found |= set(next(([name] for name in prefixes if name in modules), []))
@@ -251,7 +258,7 @@ def test_the_scan_sees_every_form_of_import() -> None:
         "import gspot_verified.cli\nfrom gspot_verified import cli as c\nfrom gspot_verified.cli import main\n"
         "from ..cli import main\nfrom .. import cli\ndef f():\n    from gspot_verified import cli\n"
     )
-    dotted = [name for _, name in imported_modules(PACKAGE / "theta_function" / "x.py", ast.parse(source))]
+    dotted = [name for _, name in imported_modules(PACKAGE / "theta_function" / "x.py", ast.walk(ast.parse(source)))]
     assert len(dotted) == 6
     assert all(name.startswith("gspot_verified.cli") for name in dotted)
 
@@ -259,22 +266,19 @@ def test_the_scan_sees_every_form_of_import() -> None:
 def only_balls_touches_the_context_of_flint(path: Path) -> None:
     if path == PACKAGE / "numbers" / "balls.py":
         return
-    modules = [name for _, name in imported_modules(path, tree_of(path)) if name.split(".")[0] == "flint"]
+    modules = [name for _, name in imported_modules(path, nodes_of(path)) if name.split(".")[0] == "flint"]
     wrong = [name for name in modules if name.endswith((".ctx", ".*")) or name.count(".") > 1]
     assert not wrong
     # `import flint` gives ctx by another road: only what describes the module may be read through it.
-    through = [n.attr for n in ast.walk(tree_of(path))
+    through = [n.attr for n in nodes_of(path)
                if isinstance(n, ast.Attribute) and isinstance(n.value, ast.Name) and n.value.id == "flint"]  # fmt: skip
     assert all(name.startswith("__") for name in through)
-    bare = [n for n in ast.walk(tree_of(path)) if isinstance(n, ast.Name) and n.id == "flint"]
+    bare = [n for n in nodes_of(path) if isinstance(n, ast.Name) and n.id == "flint"]
     assert len(bare) == len(through)
-    renamed = [a.asname for n in ast.walk(tree_of(path)) if isinstance(n, ast.Import) for a in n.names
+    renamed = [a.asname for n in nodes_of(path) if isinstance(n, ast.Import) for a in n.names
                if a.name.split(".")[0] == "flint" and a.asname]  # fmt: skip
     assert not renamed
-    dynamic = [
-        node.value for node in ast.walk(tree_of(path)) if isinstance(node, ast.Constant) and node.value == "flint"
-    ]
-    assert not dynamic
+    assert not [n for n in nodes_of(path) if isinstance(n, ast.Constant) and n.value == "flint"]
 
 
 def nobody_takes_the_context_from_balls(path: Path) -> None:
@@ -283,8 +287,8 @@ def nobody_takes_the_context_from_balls(path: Path) -> None:
         "gspot_verified.numbers.balls._lock",
         "gspot_verified.numbers.balls.*",
     )
-    assert not [name for _, name in imported_modules(path, tree_of(path)) if name in hidden]
-    attributes = [n.lineno for n in ast.walk(tree_of(path)) if isinstance(n, ast.Attribute) and n.attr == "ctx"]
+    assert not [name for _, name in imported_modules(path, nodes_of(path)) if name in hidden]
+    attributes = [n.lineno for n in nodes_of(path) if isinstance(n, ast.Attribute) and n.attr == "ctx"]
     assert not attributes
 
 
@@ -355,7 +359,7 @@ def test_bound_modules_name_their_proof_page(module: str) -> None:
 def whoever_adds_a_remainder_names_a_proof_page(path: Path) -> None:
     if path == PACKAGE / "numbers" / "balls.py":
         return
-    calls = [n for n in ast.walk(tree_of(path)) if isinstance(n, ast.Name) and n.id == "add_remainder"]
+    calls = [n for n in nodes_of(path) if isinstance(n, ast.Name) and n.id == "add_remainder"]
     assert not calls or "proofs/" in (ast.get_docstring(tree_of(path)) or "")
 
 
@@ -366,7 +370,8 @@ def every_page_that_is_named_exists(path: Path) -> None:
 
 def quadrature_is_called_where_its_contract_stands(path: Path) -> None:
     """An integrand that ignores ``analytic`` gives a wrong ball without a warning."""
-    calls = [n for n in ast.walk(tree_of(path)) if isinstance(n, ast.Attribute) and ast.unparse(n) == "acb.integral"]
+    calls = [n for n in nodes_of(path) if isinstance(n, ast.Attribute) and n.attr == "integral"
+             and ast.unparse(n) == "acb.integral"]  # fmt: skip
     assert not calls or path == PACKAGE / "theta_function" / "sums" / "quadrature.py"
 
 

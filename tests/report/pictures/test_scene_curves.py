@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -20,19 +22,32 @@ from gspot_verified.scenes.scene.run import SceneRun
 from gspot_verified.scenes.scene.samples import RADIUS, Boxes, Samples
 
 SCENE = load_scene("fig-varsim1", epsilon="1/100", until="3/2")
-EXACT = certified_run(SCENE, points=5)
-BOXED = with_boxes(SCENE, EXACT)
-FLOATS = float_run(SCENE, tolerance=1e-8, points=5)
+
+
+@cache
+def exact() -> SceneRun:
+    return certified_run(SCENE, points=5)
+
+
+@cache
+def boxed() -> SceneRun:
+    return with_boxes(SCENE, exact())
+
+
+@cache
+def floats() -> SceneRun:
+    return float_run(SCENE, tolerance=1e-8, points=5)
 
 
 def times(run: SceneRun) -> list[float]:
     return [approximate((event.lower + event.upper) / 2) for event in run.events]
 
 
-@pytest.mark.parametrize("run", [EXACT, BOXED, FLOATS], ids=["exact", "boxes", "floats"])
+@pytest.mark.parametrize("made", [exact, boxed, floats], ids=["exact", "boxes", "floats"])
 @pytest.mark.parametrize("over", ["t", "p"])
-def test_events_are_drawn_at_their_times_on_the_curve(run: SceneRun, over: str) -> None:
+def test_events_are_drawn_at_their_times_on_the_curve(made: Callable[[], SceneRun], over: str) -> None:
     """The touch-down, which lies beyond the last of the equal steps that is known, at its own p = 1/2 - t."""
+    run = made()
     found = places(run, over)
     assert [place.name for place in found][:2] == ["lift-off", "touch-down"]
     samples = run.samples
@@ -46,9 +61,10 @@ def test_events_are_drawn_at_their_times_on_the_curve(run: SceneRun, over: str) 
         assert abs(gap) < 1e-6 * abs(samples.columns["y"][0])
 
 
-@pytest.mark.parametrize("run", [EXACT, BOXED, FLOATS], ids=["exact", "boxes", "floats"])
-def test_no_line_crosses_an_event(run: SceneRun) -> None:
+@pytest.mark.parametrize("made", [exact, boxed, floats], ids=["exact", "boxes", "floats"])
+def test_no_line_crosses_an_event(made: Callable[[], SceneRun]) -> None:
     """The force is not 0 before lift-off, is 0 at it and after it, and no line joins the two."""
+    run = made()
     samples = run.samples
     assert samples is not None
     at, force = samples.columns["t"], samples.columns["lambda_N"]
@@ -69,21 +85,21 @@ def test_no_line_crosses_an_event(run: SceneRun) -> None:
 
 def test_what_is_not_sampled_has_no_place_over_p() -> None:
     """The run is known to the lift-off; its touch-down is not where the samples end."""
-    assert EXACT.samples is not None
-    kept = [k for k, phase in enumerate(EXACT.samples.phases) if phase == "slip"]
-    columns = {name: column[kept] for name, column in EXACT.samples.columns.items()}
-    run = replace(EXACT, samples=Samples(columns, tuple("slip" for _ in kept)))
+    assert exact().samples is not None
+    kept = [k for k, phase in enumerate(exact().samples.phases) if phase == "slip"]
+    columns = {name: column[kept] for name, column in exact().samples.columns.items()}
+    run = replace(exact(), samples=Samples(columns, tuple("slip" for _ in kept)))
     assert [place.name for place in places(run, "p")] == ["lift-off"]
     assert [(place.name, place.between is None) for place in places(run, "t")] == [
         ("lift-off", False),
         ("touch-down", True),
     ]
-    assert [place.between for place in places(replace(EXACT, samples=None), "t")] == [None, None]
-    assert places(replace(EXACT, samples=None), "p") == []
+    assert [place.between for place in places(replace(exact(), samples=None), "t")] == [None, None]
+    assert places(replace(exact(), samples=None), "p") == []
 
 
 def test_a_sample_is_at_an_event_where_their_times_meet() -> None:
-    event = EXACT.events[0]
+    event = exact().events[0]
     time = approximate(event.lower)
     for shift, found in ((0.0, (1, 0)), (2e-16, (1, 0)), (1e-9, None), (-1e-9, None)):
         samples = Samples({"t": np.array([0.0, time + shift])}, ("slip", "slip"))
@@ -95,12 +111,12 @@ def test_a_sample_is_at_an_event_where_their_times_meet() -> None:
 def test_an_event_inside_a_box_lies_on_the_line_that_the_box_holds() -> None:
     """From when on contact lasts for ever is no change of phase: the integrator takes no sample there."""
     scene = load_scene("fig-varsim1", beta="5/2", nu=4, epsilon="1/100", until=1)
-    exact = certified_run(scene, points=3)
-    boxed = with_boxes(scene, exact)
-    (event,) = exact.events
+    known = certified_run(scene, points=3)
+    boxed = with_boxes(scene, known)
+    (event,) = known.events
     time = approximate(event.lower)
     assert boxed.samples is not None
-    for run in (exact, boxed):
+    for run in (known, boxed):
         (place,) = places(run, "p")
         assert (place.name, place.at) == ("contact for ever from", pytest.approx(0.5 - time, abs=1e-12))
     (place,) = places(boxed, "t")
@@ -125,25 +141,26 @@ def test_an_event_inside_a_box_lies_on_the_line_that_the_box_holds() -> None:
 def test_the_boxes_hold_samples_and_floats(over: str, name: str) -> None:
     """Every sample with its radius; the float run, which knows nothing of them, within its error. Also when boxes are
     put together, and scaled."""
-    assert BOXED.samples is not None
-    assert BOXED.samples.boxes is not None
-    assert FLOATS.samples is not None
+    certified, seen = boxed().samples, floats().samples
+    assert certified is not None
+    assert certified.boxes is not None
+    assert seen is not None
     scale = 1e-4 if name == "y" else 1.0
-    size = float(np.abs(BOXED.samples.columns[name]).max()) / scale
+    size = float(np.abs(certified.columns[name]).max()) / scale
     counts = []
     for tall, wide in ((0.0, 0.0), (0.01 * size, 0.02)):
-        stretches = boxes_over(BOXED.samples.boxes, over, name, scale, tall, wide)
+        stretches = boxes_over(certified.boxes, over, name, scale, tall, wide)
         assert len(stretches) == 1
         counts.append(len(stretches[0]))
-        columns = BOXED.samples.columns
+        columns = certified.columns
         for k, at in enumerate(columns[over].tolist()):
             middle, radius = columns[name][k] / scale, columns[name + RADIUS][k] / scale
             assert holds(stretches[0], at, middle - radius, 1e-15 * size)
             assert holds(stretches[0], at, middle + radius, 1e-15 * size)
-        until = BOXED.samples.boxes.upper["t"][-1]
-        for k, time in enumerate(FLOATS.samples.columns["t"].tolist()):
+        until = certified.boxes.upper["t"][-1]
+        for k, time in enumerate(seen.columns["t"].tolist()):
             if time < until:
-                at, value = FLOATS.samples.columns[over][k], FLOATS.samples.columns[name][k] / scale
+                at, value = seen.columns[over][k], seen.columns[name][k] / scale
                 assert holds(stretches[0], at, value, 1e-4 * size)
     assert counts[1] < counts[0]
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 
 import pytest
 from flint import arb, fmpq
@@ -37,13 +38,14 @@ def deep(scene: Scene) -> dict[str, arb]:
     return state(system, b="-0.1", Y="-6", V="-4", Z="-2", **more)
 
 
+VARSIM1, VARSIM2 = load_scene("fig-varsim1"), load_scene("fig-varsim2")
 SCENES = [
-    load_scene("fig-varsim1"),
+    VARSIM1,
     load_scene("fig-varsim1", epsilon="1e-6"),
-    load_scene("fig-varsim1", alpha_2=1),
-    load_scene("fig-varsim2", chi=0),
-    load_scene("fig-varsim2", chi=1),
-    load_scene("fig-varsim1", beta="7/2"),
+    VARSIM1.with_settings(alpha_2=1),
+    VARSIM2.with_settings(chi=0),
+    VARSIM2.with_settings(chi=1),
+    VARSIM1.with_settings(beta="7/2"),
 ]
 
 
@@ -185,6 +187,7 @@ def test_other_equations_are_refused() -> None:
             InvariantRegion(replace(system, read_out=(("lambda_N", shown),)))
 
 
+@cache
 def with_surface(epsilon: str = "1e-4", velocity: int = -1, **settings: object) -> Scene:
     """The oscillator on a surface that moves, so that slip can stop."""
     scene = load_scene("oscillator", epsilon=epsilon, **settings)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import pytest
-from scenes.simulators.test_planar_model import branched, model_of
+from scenes.simulators.test_planar_model import walker
 from scenes.simulators.test_programs import the_rod
 
 from gspot_verified.scenes.scene.scene import SceneError
@@ -50,8 +50,9 @@ def test_a_braked_motion_stops_to_slip() -> None:
     assert what_happens(found, model.functions).what == STOPS
 
 
-@pytest.mark.parametrize("model", [the_rod(), model_of(branched())], ids=["rod", "walker"])
-def test_other_bodies_and_numbers_that_are_none_are_refused(model: PlanarModel) -> None:
+@pytest.mark.parametrize("made", [the_rod, walker], ids=["rod", "walker"])
+def test_other_bodies_and_numbers_that_are_none_are_refused(made: Callable[[], PlanarModel]) -> None:
+    model = made()
     follow(model, Braking(model, 1e-3, 0.0, turned=-1.0), step=1e-3, until=1e-3)
     with pytest.raises(SceneError, match="its mass matrix and contact point are not those of the mechanism"):
         follow(model, Braking(model, 1e-3, 0.0, turned=1.001), step=1e-3, until=1e-3)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 
 import pytest
 from scenes.simulators.fake_programs import FakeDrake, FakeMujoco
-from scenes.simulators.test_planar_model import branched, model_of
+from scenes.simulators.test_planar_model import walker
 
 from gspot_verified import load
 from gspot_verified.mechanisms.input.planar_links import PlanarLinks
@@ -81,10 +82,10 @@ def the_rod() -> PlanarModel:
     return planar_model(rod.bodies, contact_floats(rod), (0.0, 0.717356, 0.8, 5.0, 2.3, 3.3))
 
 
-@pytest.mark.parametrize("model", [the_rod(), model_of(branched())], ids=["rod", "walker"])
-def test_the_bodies_that_mujoco_is_told(monkeypatch: pytest.MonkeyPatch, model: PlanarModel) -> None:
+@pytest.mark.parametrize("made", [the_rod, walker], ids=["rod", "walker"])
+def test_the_bodies_that_mujoco_is_told(monkeypatch: pytest.MonkeyPatch, made: Callable[[], PlanarModel]) -> None:
     """In contact the lowest point of the sphere is in the surface."""
-    fake = mujoco(monkeypatch)
+    fake, model = mujoco(monkeypatch), made()
     follow(model, MujocoEngine(model, 1e-2), step=1e-2, until=2e-2)
     assert fake.told is not None
     assert fake.height + fake.radius == pytest.approx(model.height)
