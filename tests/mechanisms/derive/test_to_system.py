@@ -3,22 +3,38 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
 import sympy
 from flint import arb, fmpq
 
+from gspot_verified import classify, classify_all, critical_friction, find_g_spots, sweep
 from gspot_verified.expansion.series.terms import NumberTerms
+from gspot_verified.functions.derivative import ZERO
 from gspot_verified.functions.expressions import Constant, Expression, Power, Variable, in_order
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.rings import BALLS, RATIONALS
 from gspot_verified.functions.symbols import Symbols
-from gspot_verified.mechanisms.derive.to_system import NotRationalError, Shifted, shift, stays, to_system
+from gspot_verified.mechanisms.derive import lie_derivatives
+from gspot_verified.mechanisms.derive.derivation import derive_expressions
+from gspot_verified.mechanisms.derive.derived import Derived
+from gspot_verified.mechanisms.derive.to_system import (
+    NotRationalError,
+    Preparation,
+    Shifted,
+    check_lagrangian_character,
+    shift,
+    stays,
+    to_system,
+)
+from gspot_verified.mechanisms.formulas.formula import parse_formula
 from gspot_verified.mechanisms.formulas.in_sympy import from_sympy, to_sympy
 from gspot_verified.mechanisms.formulas.names import FormulaError
-from gspot_verified.mechanisms.formulas.simplify import constant, exponential_of, product_of
-from gspot_verified.mechanisms.formulas.symbol import Symbol
+from gspot_verified.mechanisms.formulas.simplify import constant, exponential_of, product_of, sum_of
+from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
 from gspot_verified.mechanisms.input.given import from_fields
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
@@ -180,3 +196,193 @@ def test_what_has_no_form_in_the_other_language_is_said() -> None:
     assert from_sympy(sympy.E * q, {"q": Variable(0)}) is product_of(exponential_of(constant(1)), Variable(0))
     with pytest.raises(TypeError, match="no sympy form of Constant"):
         to_sympy(Constant(arb(1)))
+
+
+# The Lagrangian character of fields that are given: every identity is asked for, and one that fails is named.
+
+
+GOOD: dict[str, Any] = {
+    "name": "fields", "state": ["x", "u", "y", "v", "w"], "F": ["u", 0, "v", "w", 1], "G_T": [0, 2, 0, "w", 0],
+    "G_N": [0, "w", 0, 3, 0], "x": "x", "y": "y", "mu": 1,
+}  # fmt: skip
+
+
+def derived(made: Mechanism) -> Derived[Expression]:
+    return derive_expressions(made, Preparation(made))
+
+
+def check(**change: Any) -> None:
+    made = from_fields(**GOOD | change)
+    check_lagrangian_character(made, derived(made))
+
+
+def test_good_fields_need_no_sympy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(lie_derivatives, "check_lagrangian_conditions", None)
+    check()
+    check(x=None, slip_velocity="u")
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"G_T": [1, 2, 0, "w", 0]}, "L_GT x"),
+        ({"G_N": [1, "w", 0, 3, 0]}, "L_GN x"),
+        ({"G_T": [0, 2, 1, "w", 0]}, "L_GT y"),
+        ({"G_N": [0, "w", 1, 3, 0]}, "L_GN y"),
+        ({"G_T": [0, 2, 0, 1, 0]}, "L_GN u - L_GT v"),
+        ({"G_T": [0, 2, 0, "w", 1]}, "L_G p"),
+        ({"x": None, "slip_velocity": "u", "G_N": [0, "w", 1, 3, 0]}, "L_GN y"),
+    ],
+)
+def test_each_identity_that_fails_is_named(change: dict[str, Any], name: str) -> None:
+    with pytest.raises(MechanismError, match=f"fields: {name} must vanish"):
+        check(**change)
+
+
+def test_what_simplifies_only_in_sympy_is_accepted() -> None:
+    check(G_T=[0, 2, 0, "w*(sin(w)^2 + cos(w)^2)", 0])
+
+
+def test_a_mass_matrix_gives_them_without_a_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(lie_derivatives, "check_lagrangian_conditions", None)
+    rod = shipped_mechanism("rod")
+    found = derived(rod)
+    check_lagrangian_character(rod, replace(found, B=Variable(0)))
+
+
+def ladder(share: str) -> Mechanism:
+    """A rod of length 2 with its upper end on a wall: the wall's force has the direction (1, share), as its friction
+    makes it while that end slips downwards and the wall pushes; it is solved for, with the constraint."""
+    X, Y, T, Xd, Yd, Td = sympy.symbols("X Y T X_dot Y_dot T_dot")
+    q, rates = (X, Y, T), (Xd, Yd, Td)
+    inverse = sympy.diag(1, 1, 3)
+    gap, x, y = X - sympy.cos(T), X + sympy.cos(T), Y - sympy.sin(T)
+    across = sympy.Matrix([gap.diff(c) for c in q])
+    up = sympy.Matrix([sympy.diff(Y + sympy.sin(T), c) for c in q])
+    pushed = inverse * (across + sympy.Rational(share) * up)
+    bend = sum(gap.diff(c, d) * r * s for c, r in zip(q, rates, strict=True) for d, s in zip(q, rates, strict=True))
+
+    def held(free: Any, extra: Any) -> list[Any]:
+        return list(free - pushed * (across.dot(free) + extra) / across.dot(pushed))
+
+    normal, tangent = (inverse * sympy.Matrix([g.diff(c) for c in q]) for g in (y, x))
+    fields = {
+        "F": [*rates, *held(sympy.Matrix([0, -1, 0]), bend)],
+        "G_T": [0, 0, 0, *held(tangent, 0)],
+        "G_N": [0, 0, 0, *held(normal, 0)],
+    }
+    return from_fields("ladder", ["X", "Y", "T", "X_dot", "Y_dot", "T_dot"], **fields, x=x, y=y, mu="1/2")
+
+
+def test_friction_in_a_joint_breaks_the_symmetry_of_the_contact() -> None:
+    """What the page on what is outside says: with dry friction in it the joint is no ideal constraint."""
+    smooth, rough = ladder("0"), ladder("1/5")
+    check_lagrangian_character(smooth, derived(smooth))
+    with pytest.raises(MechanismError, match="ladder: L_GN u - L_GT v must vanish"):
+        check_lagrangian_character(rough, derived(rough))
+
+
+# Parameters put in and angles counted from their references.
+
+
+def with_values(**parameters: Any) -> Mechanism:
+    return from_fields("test", ["q", "w"], ["w", 0], [0, 0], [0, 1], 0, "q", 0, parameters,
+                       angles={"q": ("3/5", "4/5")})  # fmt: skip
+
+
+def free_prepared(text: str, **parameters: Any) -> Any:
+    names = {"q": Variable(0), "w": Variable(1)} | {name: Symbol(name) for name in (*parameters, "q_ref")}
+    (found,) = shift(with_values(**parameters), free=True).prepare([parse_formula(text, names)])
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("q - q_ref", "q"),
+        ("w*(q - q_ref)^2", "w*q^2"),
+        ("w*q - q_ref*w", "w*q"),
+        ("w*(q + w) - q_ref*w", "w*q + w^2"),
+        ("sin(q - q_ref)", "sin(q)"),
+        ("sin(q)", "3/5*cos(q) + 4/5*sin(q)"),
+        ("cos(2*q - w)", "7/25*cos(2*q - w) - 24/25*sin(2*q - w)"),
+        ("sin(w + pi/2)", "cos(w)"),
+        ("cos(w + 3*pi)", "-cos(w)"),
+        ("sin(5*pi/2)", "1"),
+        ("tan(pi)", "0"),
+        ("sin(q + pi)", "-3/5*cos(q) - 4/5*sin(q)"),
+        ("sin(q + pi/2)", "4/5*cos(q) - 3/5*sin(q)"),
+        ("cos(q + pi/2)", "-3/5*cos(q) - 4/5*sin(q)"),
+        ("sin(pi/2 + pi + w)", "-cos(w)"),
+        ("sin(pi/2 + 5*pi/2 + w)", "-sin(w)"),
+    ],
+)
+def test_references_and_quarter_turns(text: str, same: str) -> None:
+    names = {"q": Variable(0), "w": Variable(1)}
+    assert sum_of(free_prepared(text), product_of(constant(-1), parse_formula(same, names))) is ZERO
+
+
+def test_what_does_not_cancel_stays() -> None:
+    assert symbol_names([free_prepared("sin(q/2)")]) == {"q_ref"}
+    assert symbol_names([free_prepared("w*q")]) == {"q_ref"}
+    assert symbol_names([free_prepared("pi*w")]) == {"pi"}
+
+
+def test_parameters_are_put_in() -> None:
+    assert free_prepared("sin(k*q)", k=2) is free_prepared("sin(2*q)")
+    assert free_prepared("w/(k - 1)", k="3/2") is free_prepared("2*w")
+    assert symbol_names([free_prepared("k*w", k=None)]) == {"k"}
+
+
+def test_a_division_by_zero_with_these_parameters() -> None:
+    with pytest.raises(MechanismError, match="with the values of the parameters: division by zero"):
+        free_prepared("w/(k - 1)", k=1)
+
+
+def test_chains_of_parameters() -> None:
+    chain = {"a0": "1"} | {f"a{i}": f"a{i - 1} + 1" for i in range(1, 400)}
+    assert with_values(**chain).parameter_values()["a399"] is Constant(fmpq(400))
+    towers = {"a0": "9^60"} | {f"a{i}": f"a{i - 1}^60" for i in range(1, 40)}
+    with pytest.raises(MechanismError, match="parameter a2: a number grows beyond"):
+        shift(with_values(**towers))
+    with pytest.raises(MechanismError, match="at most 500 parameters, got 501"):
+        with_values(**{f"a{i}": 1 for i in range(501)})
+
+
+def test_pi_is_a_ball_only() -> None:
+    shifted = shift(with_values())
+    function = parse_formula("2*pi", {})
+    with pytest.raises(NotRationalError, match="pi stands outside a sine or cosine"):
+        shifted.expressions([function], RATIONALS)
+    with working_bits(100):
+        (found,) = shifted.expressions([parse_formula("pi", {})], BALLS)
+        assert isinstance(found, Constant)
+        assert found.value.is_finite()
+        assert found.value.overlaps(arb.pi())
+
+
+def test_a_symbol_may_become_a_further_variable() -> None:
+    """A sweep adds parameters to the state."""
+    shifted = shift(with_values(k=None), free=True)
+    (found,) = shifted.expressions([Symbol("k") * Variable(0)], BALLS, {"k": Variable(2)})
+    assert found is Variable(2) * Variable(0)
+    with pytest.raises(MechanismError, match="k has no value"):
+        shifted.expressions([Symbol("k")], BALLS)
+
+
+def test_products_of_sums_with_references_do_not_grow_without_limit() -> None:
+    """Multiplied out they would have 3^50 terms."""
+    product = "*".join(f"(q - {k}*q_ref + w)" for k in range(2, 52))
+    function = free_prepared(product)
+    assert symbol_names([function]) == {"q_ref"}
+    assert len(in_order([function])) < 5000
+
+
+@pytest.mark.parametrize(
+    "ask", [classify, classify_all, find_g_spots, critical_friction, lambda name: sweep(name, {"mu": "1..2"})]
+)
+def test_a_name_is_no_mechanism(ask: Callable[[Any], object]) -> None:
+    with pytest.raises(TypeError, match=r"expected a mechanism, got 'rod'; load\('rod'\) makes one"):
+        ask("rod")
+    with pytest.raises(TypeError, match="expected a mechanism, got int"):
+        ask(3)
