@@ -10,6 +10,7 @@ import json
 import math
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import pytest
@@ -47,6 +48,11 @@ def extended(beta: str) -> Trajectory:
     return expand_system(extended_example(chi=1, alpha=(-1, -1, f"-{beta}")), 10)
 
 
+@cache
+def side_of(beta: str, c_1: int, largest: str | fmpq) -> UniformSide:
+    return uniform_side(extended(beta), c_1, largest)
+
+
 def number(value: fmpq) -> float:
     return int(value.p) / int(value.q)
 
@@ -74,7 +80,7 @@ def run(found: UniformSide, delta: fmpq, places: list[float]) -> list[dict[str, 
     ],
 )
 def test_the_extended_system_takes_the_proved_side(beta: str, largest: fmpq, c_1: int) -> None:
-    found = uniform_side(extended(beta), c_1, largest)
+    found = side_of(beta, c_1, largest)
     assert found.verdict.outcome is Outcome.PROVED
     sign = gamma_sign(beta)  # of Gamma(-beta)
     assert sign is not None
@@ -143,7 +149,7 @@ def state_of_the_family(found: UniformSide, delta: fmpq) -> Scene:
 
 
 def test_smaller_epsilon_takes_longer() -> None:
-    found = uniform_side(extended("3/2"), -1, "1/50")
+    found = side_of("3/2", -1, "1/50")
     assert ends(found.latest("1/1000"))[0] > ends(found.latest("1/50"))[1]
     with pytest.raises(ValueError, match="delta must lie in"):
         found.latest("1/49")
@@ -160,8 +166,9 @@ def test_the_time_at_a_delta_is_that_of_the_page() -> None:
         assert math.isclose(float(found.latest(fmpq(1, place))), 2 + math.log(3 * place) / 5, rel_tol=1e-14)
 
 
-def test_undecided_has_no_side() -> None:
-    found = uniform_side(extended("3/2"), 1, "1/10")
+def test_undecided_has_no_side_and_names_no_place_where_it_happens() -> None:
+    found = side_of("3/2", 1, "1/10")
+    assert "after s" not in str(found)
     assert (found.verdict.outcome, found.side, found.entered) == (Outcome.UNDECIDED, None, None)
     with pytest.raises(ValueError, match="nothing is proved"):
         found.latest("1/10")
@@ -170,11 +177,7 @@ def test_undecided_has_no_side() -> None:
 
 @pytest.mark.parametrize(("c_1", "delta"), [(-1, "1/50"), (1, "1/50"), (1, "1/10")])
 def test_the_statement_says_that_slip_is_assumed(c_1: int, delta: str) -> None:
-    assert "as long as slip is positive" in uniform_side(extended("3/2"), c_1, delta).verdict.statement
-
-
-def test_undecided_names_no_place_where_it_happens() -> None:
-    assert "after s" not in str(uniform_side(extended("3/2"), 1, "1/10"))
+    assert "as long as slip is positive" in side_of("3/2", c_1, delta).verdict.statement
 
 
 def test_the_radii_hold_the_slow_deviation_and_the_tube(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -238,10 +241,9 @@ def test_beta_is_at_most_one_and_half_the_order(beta: str, good: bool) -> None:
 
 
 def test_a_side_rests_on_every_piece_before_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    arguments = (extended("3/2"), -1, "1/50")
-    assert "parts cover [-1, " in str(uniform_side(*arguments).verdict.evidence)
+    assert "parts cover [-1, " in str(side_of("3/2", -1, "1/50").verdict.evidence)
     monkeypatch.setattr(side_end, "cover", lambda *_: None)
-    assert uniform_side(*arguments).side is None
+    assert uniform_side(extended("3/2"), -1, "1/50").side is None
 
 
 @pytest.mark.slow
