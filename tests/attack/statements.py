@@ -10,16 +10,19 @@ from attack.signs import sign_changes, slope
 
 
 def _numbers(text: str, far: Fraction) -> tuple[Fraction, Fraction]:
+    """The ends of a range, one of them finite or none; in the place of an infinite one ``far``, or 1 beyond the other
+    one."""
     low, high = text[1:-1].split(", ")
-    return (-far if low == "-inf" else Fraction(low)), (far if high == "inf" else Fraction(high))
+    last = far if high == "inf" else Fraction(high)
+    first = min(-far, last - 1) if low == "-inf" else Fraction(low)
+    return first, max(last, first + 1) if high == "inf" else last
 
 
 def untrue(statement: dict[str, Any]) -> str | None:
     """Where the statement is false; empty: nothing was found against it; None: there is no reference."""
     kind = statement["kind"]
     if kind == "sign":
-        (t0, t1), (b0, b1) = _numbers(statement["tau"], Fraction(12)), _numbers(statement["beta"], Fraction(-6))
-        b0, b1 = min(b0, b1), max(b0, b1)
+        (t0, t1), (b0, b1) = _numbers(statement["tau"], Fraction(12)), _numbers(statement["beta"], Fraction(6))
         for i in range(9):
             for j in range(25):
                 tau, beta = t0 + (t1 - t0) * Fraction(j, 24), b0 + (b1 - b0) * Fraction(i + 1, 10)

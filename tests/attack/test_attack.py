@@ -39,6 +39,7 @@ from attack import (
 )
 from attack.answers import AGREED, Answer, Attack, Tally, undecided, worst, wrong
 from attack.runner import KINDS, answered, draw_of
+from attack.statements import untrue
 from flint import arb, fmpq
 
 from gspot_verified.compliant.contact.iwc import CompliantIwc
@@ -323,6 +324,23 @@ def test_other_lies_are_noticed(
 ) -> None:
     lie(monkeypatch)
     assert first_wrong(kind, numbers) is not None
+
+
+@pytest.mark.parametrize(
+    ("beta", "sign", "said"),
+    [
+        ("(-inf, -1/1000]", 1, ""),
+        ("(-inf, -1/1000]", -1, "the sign"),
+        ("[-20, inf)", 1, "the sign"),
+        ("(-inf, -9]", 1, ""),
+    ],
+)
+def test_a_statement_is_asked_within_its_range_alone(beta: str, sign: int, said: str) -> None:
+    """The slope is positive for every beta < 0; a sample beyond the end of a range was held against it once."""
+    found = untrue({"kind": "sign", "beta": beta, "tau": "(-inf, inf)", "sign": sign})
+    assert found is not None
+    assert found.startswith(said)
+    assert bool(found) == bool(said)
 
 
 # Answers.

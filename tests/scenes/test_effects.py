@@ -8,7 +8,7 @@ import pytest
 import sympy
 from flint import fmpq
 
-from gspot_verified.mechanisms.input.given import lagrangian
+from gspot_verified.mechanisms.input.given import from_fields, lagrangian
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.scenes.effects import (
     belt,
@@ -255,7 +255,8 @@ def test_what_is_known_of_the_model_without_coupling() -> None:
 
 @pytest.mark.parametrize("phase", PHASES)
 def test_what_friction_supposes_of_a_mechanism(phase: str) -> None:
-    """mu >= 0 and A > 0 in contact where the slip velocity is seen; nothing in flight, and nothing of a constant."""
+    """mu >= 0 and A > 0 in contact, also where no effect sees the slip velocity; nothing in flight, and nothing of a
+    constant, nor of what depends on a component that is not integrated."""
     effects = ("compliant_contact", "lift_off", "tangential_motion", "stick")
     rough = lagrangian("rough", ["X", "H"], [[1, "1/2"], ["1/2", 1]], [3, -4], "X", "H", "1/4 + X^2")
     start = {"X": "1", "X_dot": "1"}
@@ -263,6 +264,10 @@ def test_what_friction_supposes_of_a_mechanism(phase: str) -> None:
         system = Scene("block", effects, EPSILON, fmpq(1), {}, given, None, mechanism).system(phase)
         assert [name for name, _ in system.supposed] == ([] if phase == FLIGHT else names)
     unseen = Scene("unseen", effects[:2], EPSILON, fmpq(1), {}, start, None, rough)
+    assert [name for name, _ in unseen.system(SLIP).supposed] == ["mu"]
+    rates, along = ["U", "V_H", 0, -1], [0, 0, "2+X", 0]
+    apart = from_fields("apart", ["X", "H", "U", "V_H"], rates, along, [0, 0, 0, 1], "X", "H", "2+X")
+    unseen = Scene("unseen", effects[:2], EPSILON, fmpq(1), {}, {"X": "1", "U": "1"}, None, apart)
     assert [name for name, _ in unseen.system(SLIP).supposed] == []
 
 

@@ -42,11 +42,12 @@ class MechanismTerms(Terms):
         epsilon: fmpq,
         parameters: Mapping[str, fmpq],
         functions: Functions,
-        sees_slip: bool,
+        integrated: Sequence[str],
     ) -> None:
+        """``integrated``: the names of the functions all of whose components are; the values of others mean nothing."""
         super().__init__(phase, states, epsilon, parameters)
         self.functions = functions
-        self._sees_slip = sees_slip
+        self._integrated = integrated
 
     @property
     def friction(self) -> Expression:
@@ -87,14 +88,15 @@ class MechanismTerms(Terms):
 
     @property
     def supposed(self) -> tuple[tuple[str, Expression], ...]:
-        """mu >= 0 and A > 0 in contact (paper, Sec. 1.1); where u is not seen what they depend on is not integrated.
+        """mu >= 0 and A > 0 in contact (paper, Sec. 1.1), where what they depend on is integrated: what mu depends on is
+        wherever it matters for the contact, that of A at least where u is seen.
 
         A constant has its sign from the start on.
         """
-        if self.phase == FLIGHT or not self._sees_slip:
+        if self.phase == FLIGHT:
             return ()
         both = (("mu", self.functions.mu), ("A", self.functions.A))
-        return tuple((name, function) for name, function in both if not isinstance(function, Constant))
+        return tuple(each for each in both if each[0] in self._integrated and not isinstance(each[1], Constant))
 
     @property
     def stick_ends(self) -> tuple[tuple[str, Expression], ...]:

@@ -220,7 +220,9 @@ class MechanismMotion:
         F, G, G_T, G_N = (tuple(expressions[f"{part} {i}"] for i in kept) for part in _FIELDS)
         scalars = (expressions.get(name, ZERO) for name in (*_SCALARS, "x"))
         functions = Functions(F, G, G_T, G_N, *scalars)
-        return MechanismTerms(phase, states, self._epsilon, values, functions, "u" in self._sees)
+        known = {*kept, *range(m, m + 4)}
+        integrated = [name for name in wanted if known.issuperset(variable_indices([self._functions[name]]))]
+        return MechanismTerms(phase, states, self._epsilon, values, functions, integrated)
 
     def _at_speed(self, functions: Sequence[Expression], speed: Expression) -> list[Expression]:
         try:

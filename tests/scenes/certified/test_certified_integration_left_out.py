@@ -455,6 +455,20 @@ def test_a_run_says_nothing_where_its_friction_has_no_sense(A: str, mu: str, lea
     assert f"{least} may be negative in contact" in run.verdict.detail
 
 
+@pytest.mark.parametrize("coupling", ["1/2", "-1/2"])
+def test_friction_has_no_sense_where_the_slip_velocity_is_not_seen_either(coupling: str) -> None:
+    """mu = 1/4 - q falls below 0 at q = t = 1/4, on a belt of an unknown velocity. With B > 0 p = C - mu B then rises,
+    with B < 0 it falls below 0, and the force grows for ever: an impact by friction that pushes on was "proved", provided that slip is
+    positive."""
+    mass = [[1, coupling, 0], [coupling, 1, 0], [0, 0, 1]]
+    worn = lagrangian("worn", ["X", "H", "q"], mass, [0, -1, 0], "X", "H", "1/4 - q")
+    made = scene(worn, (1, 5), (*CONTACT, "belt"), q="0", q_dot="1")
+    assert integrated_run(made, bits=(128,)).fate == NO_EVENT
+    run = integrated_run(replace(made, until=fmpq(6)), bits=(128,))
+    assert (run.verdict.outcome, run.fate) == (Outcome.UNDECIDED, OPEN)
+    assert "mu may be negative in contact" in run.verdict.detail
+
+
 def test_the_words_of_growth_are_rounded_to_the_safe_side() -> None:
     """The rate down, times up: 1/3 and 2/3, and what is known of the end."""
     third = arb(1) / 3
