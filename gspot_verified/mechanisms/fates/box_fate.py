@@ -71,16 +71,20 @@ def box_fate(plane: PlanarFlow, frames: Sequence[Frame], states: Sequence[arb], 
     box = plane.of_state(states)
     p, b = plane.p_and_b.mean_values(box)
     slip = plane.u.mean_values(states)[0] - surface
-    supposed = plane.supposed(box)
-    for fate, shown in (
-        (Fate.NO_SLIP, less(slip, 0)),
-        (Fate.PAINLEVE, every([less(p, 0), less(0, slip)])),
-        (Fate.OPENS, every([less(0, p), less(0, b), less(0, slip)])),
+    if (backwards := less(slip, 0)) is not None:
+        return BoxFate(Fate.NO_SLIP, backwards)
+    sense = plane.sense(box)
+    if isinstance(sense, str):
+        return _open(sense)
+    for fate, signs in (
+        (Fate.PAINLEVE, [less(p, 0), less(0, slip)]),
+        (Fate.OPENS, [less(0, p), less(0, b), less(0, slip)]),
     ):
-        if shown is not None:
+        if (shown := every([sense, *signs])) is not None:
             return BoxFate(fate, shown)
     if every([less(0, p), less(b, 0), less(0, slip)]) is None:
         return _open("the signs of p, b or the slip velocity differ, or may differ, at the start")
+    supposed = plane.supposed(box)
     if isinstance(supposed, str):
         return _open(supposed)
     open_fates = [_open("too far away from the orbits that are known")]

@@ -96,11 +96,15 @@ class PlanarFlow:
             return "p may not fall on the way"
         if not all(rate.is_finite() for rate in self._others.values(list(box))):
             return "the rates of other components may not be finite on the way"
+        checked = self.sense(box)
+        return checked if isinstance(checked, str) else every([falls, checked]) or "p may not fall on the way"
+
+    def sense(self, box: Sequence[arb]) -> Evidence | str:
+        """What p and b mean something by: a positive definite mass matrix, mu >= 0; or in words what is not certain."""
         whole = [arb(0)] * self._dimension  # the other components do not matter there
         for place, side in zip(self.components, box, strict=True):
             whole[place] = side
-        checked = self._hypotheses.checked(whole)
-        return checked if isinstance(checked, str) else every([falls, checked]) or "p may not fall on the way"
+        return self._hypotheses.checked(whole)
 
 
 def _closed(flow: SlipFlow, functions: Sequence[Expression]) -> tuple[int, ...]:
