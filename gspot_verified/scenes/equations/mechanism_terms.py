@@ -43,11 +43,13 @@ class MechanismTerms(Terms):
         parameters: Mapping[str, fmpq],
         functions: Functions,
         integrated: Sequence[str],
+        has_masses: bool = True,
     ) -> None:
-        """``integrated``: the names of the functions all of whose components are; the values of others mean nothing."""
+        """``integrated``: the names of the functions all of whose components are; the values of others mean nothing.
+        ``has_masses``: whether a mass matrix gives the fields."""
         super().__init__(phase, states, epsilon, parameters)
         self.functions = functions
-        self._integrated = integrated
+        self._integrated, self._has_masses = set(integrated), has_masses
 
     @property
     def friction(self) -> Expression:
@@ -88,15 +90,19 @@ class MechanismTerms(Terms):
 
     @property
     def supposed(self) -> tuple[tuple[str, Expression], ...]:
-        """mu >= 0 and A > 0 in contact (paper, Sec. 1.1), where what they depend on is integrated: what mu depends on is
-        wherever it matters for the contact, that of A at least where u is seen.
+        """mu >= 0, A > 0 and A C > B^2 in contact (paper, Sec. 1.1), where what they depend on is integrated: what mu
+        depends on is wherever it matters for the contact, that of A at least where u is seen.
 
-        A constant has its sign from the start on.
+        A constant has its sign from the start on. The determinant of a mass matrix that gives the fields does not
+        vanish as long as they are finite, so it stays positive definite; then A C > B^2.
         """
         if self.phase == FLIGHT:
             return ()
-        both = (("mu", self.functions.mu), ("A", self.functions.A))
-        return tuple(each for each in both if each[0] in self._integrated and not isinstance(each[1], Constant))
+        f = self.functions
+        supposed: dict[str, Expression] = {name: getattr(f, name) for name in ("mu", "A") if name in self._integrated}
+        if not self._has_masses and self._integrated.issuperset("ABC"):
+            supposed["A C - B^2"] = minus(product_of(f.A, f.C), product_of(f.B, f.B))
+        return tuple(each for each in supposed.items() if not isinstance(each[1], Constant))
 
     @property
     def stick_ends(self) -> tuple[tuple[str, Expression], ...]:

@@ -222,7 +222,8 @@ class MechanismMotion:
         functions = Functions(F, G, G_T, G_N, *scalars)
         known = {*kept, *range(m, m + 4)}
         integrated = [name for name in wanted if known.issuperset(variable_indices([self._functions[name]]))]
-        return MechanismTerms(phase, states, self._epsilon, values, functions, integrated)
+        has_masses = self._shifted.functions.mass_matrix is not None
+        return MechanismTerms(phase, states, self._epsilon, values, functions, integrated, has_masses)
 
     def _at_speed(self, functions: Sequence[Expression], speed: Expression) -> list[Expression]:
         try:

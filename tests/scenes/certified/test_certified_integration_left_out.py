@@ -438,17 +438,21 @@ def test_some_blocks(effects: tuple[str, ...], push: str, slip: str, speed: str,
     )
 
 
-def _slider(A: str, mu: str) -> Mechanism:
-    """X'' = -1/2 + A lambda_T, pressed on by its weight."""
+def _slider(A: str, C: str, mu: str) -> Mechanism:
+    """X'' = -1/2 + A lambda_T, H'' = -1 + C lambda_N: pressed on by its weight."""
     return from_fields(
-        "slider", ["X", "H", "U", "V_H"], ["U", "V_H", "-1/2", -1], [0, 0, A, 0], [0, 0, 0, 1], "X", "H", mu
+        "slider", ["X", "H", "U", "V_H"], ["U", "V_H", "-1/2", -1], [0, 0, A, 0], [0, 0, 0, C], "X", "H", mu
     )
 
 
-@pytest.mark.parametrize(("A", "mu", "least"), [("1", "1/4 - X", "mu"), ("1/2 - X", "1/4", "A")])
-def test_a_run_says_nothing_where_its_friction_has_no_sense(A: str, mu: str, least: str) -> None:
-    """Friction that pushes on: mu < 0 or A < 0 from X = 1/4 or 1/2 on, which slip with the velocity 2 reaches soon."""
-    made = scene(_slider(A, mu), (1, 20), (*TANGENTIAL, "stick"), X="0", U="2", y="-2/100", v="0", z="-1/100")
+@pytest.mark.parametrize(
+    ("A", "C", "mu", "least"),
+    [("1", "1", "1/4 - X", "mu"), ("1/2 - X", "1", "1/4", "A"), ("1", "1/2 - X", "1/4", "A C - B^2")],
+)
+def test_a_run_says_nothing_where_its_equations_have_no_sense(A: str, C: str, mu: str, least: str) -> None:
+    """Friction that pushes on: mu < 0 or A < 0 from X = 1/4 or 1/2 on, which slip with the velocity 2 reaches soon. A
+    force that pulls where it should push, C < 0: an impact without friction was "proved"."""
+    made = scene(_slider(A, C, mu), (1, 20), (*TANGENTIAL, "stick"), X="0", U="2", y="-2/100", v="0", z="-1/100")
     assert integrated_run(made, bits=(128,)).verdict.outcome is Outcome.PROVED
     run = integrated_run(replace(made, until=fmpq(1)), bits=(128,))
     assert run.verdict.outcome is Outcome.UNDECIDED
@@ -457,9 +461,9 @@ def test_a_run_says_nothing_where_its_friction_has_no_sense(A: str, mu: str, lea
 
 @pytest.mark.parametrize("coupling", ["1/2", "-1/2"])
 def test_friction_has_no_sense_where_the_slip_velocity_is_not_seen_either(coupling: str) -> None:
-    """mu = 1/4 - q falls below 0 at q = t = 1/4, on a belt of an unknown velocity. With B > 0 p = C - mu B then rises,
-    with B < 0 it falls below 0, and the force grows for ever: an impact by friction that pushes on was "proved", provided that slip is
-    positive."""
+    """mu = 1/4 - q falls below 0 at q = t = 1/4, on a belt of an unknown velocity. With a coupling above 0 p = C - mu B
+    then falls below 0, and the force grows for ever: an impact by friction that pushes on was "proved", provided that
+    slip is positive."""
     mass = [[1, coupling, 0], [coupling, 1, 0], [0, 0, 1]]
     worn = lagrangian("worn", ["X", "H", "q"], mass, [0, -1, 0], "X", "H", "1/4 - q")
     made = scene(worn, (1, 5), (*CONTACT, "belt"), q="0", q_dot="1")
