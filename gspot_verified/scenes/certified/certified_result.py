@@ -108,7 +108,7 @@ def _assumptions(scene: Scene, conditions: Conditions, record: Record) -> tuple[
         elif effect.name in conditions.lost:
             since = bracket(conditions.certain_until, scene.epsilon)
             assumptions.append(Assumption(effect.name, text, ASSUMED, *since, "neither it nor its contrary is certain"))
-        elif record.open is not None:
+        elif record.open is not None or record.violated is not None:
             since = bracket(record.seen, scene.epsilon)
             assumptions.append(Assumption(effect.name, text, ASSUMED, *since, _NOT_FURTHER))
         else:
@@ -135,23 +135,23 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     known = f"certain before it: {fate_of(names)}"
     span = "" if record.for_ever else _span(scene, record)
     failed = next((each for each in assumptions if each.standing == VIOLATED), None)
+    on = provided([each for each in assumptions if each.why != _NOT_FURTHER])
     if failed is not None and record.violated is not None:
         verdict = Verdict.refuted(
             f"the motion without {failed.effect} is that with it{span}",
             f"that {failed.assumes} fails at {failed.when} after the start: add the effect {failed.effect!r}",
             record.violated[2],
-            "; ".join(filter(None, (known, remarks))) + provided(assumptions),
+            "; ".join(filter(None, (known, remarks))) + on,
         )
         return SceneRun(CERTIFIED, REFUTED, events, verdict, assumptions=assumptions)
     if record.open is None:
         fate = fate_of(names)
-        said = statement(fate, span, record.multiples, record.phase) + provided(assumptions)
+        said = statement(fate, span, record.multiples, record.phase) + on
         return SceneRun(
             CERTIFIED, fate, events, Verdict.proved(said, record.evidence, remarks), assumptions=assumptions
         )
     at = (record.open.time * scene.epsilon).str(10)
     detail = "; ".join(filter(None, (f"{record.open.reason} (t = {at} after the start)", known, remarks)))
     reason = Reason.BUDGET if record.open.budget else Reason.HYPOTHESIS
-    on = provided([each for each in assumptions if each.why != _NOT_FURTHER])
     verdict = Verdict.undecided(f"the events of the run{on}", reason, detail)
     return SceneRun(CERTIFIED, OPEN, events, verdict, assumptions=assumptions)

@@ -438,6 +438,20 @@ def test_some_blocks(effects: tuple[str, ...], push: str, slip: str, speed: str,
     )
 
 
+@pytest.mark.parametrize(
+    ("push", "violated", "other"), [(-4, "tangential_motion", "lift_off"), (4, "lift_off", "tangential_motion")]
+)
+def test_what_a_run_does_not_reach_is_not_checked_along_it(push: int, violated: str, other: str) -> None:
+    """A block that stops at t = 1/4, and that a force lifts at t = 0.56: the run ends at what fails first."""
+    mass = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    lifted = lagrangian("lifted", ["X", "H", "q"], mass, [push, "-1+2*q", 0], "X", "H", 0)
+    run = integrated_run(scene(lifted, 3, CONTACT[:1], X_dot="1", q="0", q_dot="1"), bits=(128,))
+    assert run.fate == REFUTED
+    assert standing(run) == {violated: VIOLATED, other: ASSUMED}
+    assert bracket(run, other)[1] <= bracket(run, violated)[0]
+    assert "provided" not in str(run.verdict)
+
+
 def _slider(A: str, C: str, mu: str) -> Mechanism:
     """X'' = -1/2 + A lambda_T, H'' = -1 + C lambda_N: pressed on by its weight."""
     return from_fields(
