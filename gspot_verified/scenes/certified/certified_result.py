@@ -138,7 +138,7 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     on = provided([each for each in assumptions if each.why != _NOT_FURTHER])
     if failed is not None and record.violated is not None:
         verdict = Verdict.refuted(
-            f"the motion without {failed.effect} is that with it{span}",
+            f"{failed.assumes}{span}, as leaving {failed.effect} out assumes",
             f"that {failed.assumes} fails at {failed.when} after the start: add the effect {failed.effect!r}",
             record.violated[2],
             "; ".join(filter(None, (known, remarks))) + on,

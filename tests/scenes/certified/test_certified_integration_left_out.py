@@ -452,6 +452,16 @@ def test_what_a_run_does_not_reach_is_not_checked_along_it(push: int, violated: 
     assert "provided" not in str(run.verdict)
 
 
+def test_the_condition_is_refuted_and_not_the_motion() -> None:
+    """Without friction a block that turns moves on as if no effect were missing: "the motion without tangential_motion
+    is that with it" was refuted, and is true."""
+    run = integrated_run(scene(block(mu="0"), 4, CONTACT, X_dot="1"), bits=(128,))
+    assert run.verdict.outcome is Outcome.REFUTED
+    assert run.verdict.statement == (
+        "the slip velocity is positive in contact until t = 4 after the start, as leaving tangential_motion out assumes"
+    )
+
+
 def _slider(A: str, C: str, mu: str) -> Mechanism:
     """X'' = -1/2 + A lambda_T, H'' = -1 + C lambda_N: pressed on by its weight."""
     return from_fields(
