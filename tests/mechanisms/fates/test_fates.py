@@ -181,8 +181,8 @@ theta_dot = 1
     ("mass", "mu", "theta_dot", "over", "what"),
     [
         # mu < -4, and B < 0: p = C - mu B < 0. Where B is small p > 0, and b > 0.
-        ("1/3", "73/36 - 4*(theta - theta_ref)", "0", "11/5..12/5:2", "the friction coefficient mu may be negative"),
-        ("1/3", "73/36 - 4*(theta - theta_ref)", "10", "31/10..314/100:2", "the friction coefficient mu may be negative"),
+        ("1/3", "73/36 - 4*(theta - theta_ref)", "0", "11/5..12/5:2", "the friction coefficient mu may be"),
+        ("1/3", "73/36 - 4*(theta - theta_ref)", "10", "31/10..314/100:2", "the friction coefficient mu may be"),
         # A moment of inertia that falls below 0 at theta = 0.98: then B < 0, p > 0, and b > 0.
         ("1/3 - (theta - theta_ref)", "73/36", "10", "11/10..6/5:2", "the mass matrix is not certainly positive"),
     ],
