@@ -55,28 +55,19 @@ class StiffContact:
         ])  # fmt: skip
 
     def _step(self, u: State, h: arb, tableau: arb_mat) -> State:
-        slopes, size = self._slopes(u), len(u)
-        whole = arb_mat(3 * size, 3 * size)
-        for i in range(3):
-            for j in range(3):
-                for row in range(size):
-                    for column in range(size):
-                        own = arb(int(i == j and row == column))
-                        whole[i * size + row, j * size + column] = (own - h * tableau[i, j] * slopes[row, column]).mid()
-        inverse = whole.inv().mid()
-        stages = [[arb(0)] * size for _ in range(3)]
+        slopes, size, scaled = self._slopes(u), len(u), tableau * h
+        places = [(i, row) for i in range(3) for row in range(size)]
+        whole = [[arb(at == to) - scaled[at[0], to[0]] * slopes[at[1], to[1]] for to in places] for at in places]
+        inverse, stages = arb_mat(whole).mid().inv().mid(), arb_mat(3, size)
+        small = [arb("1e-40") * (abs(value) + arb("1e-30")) for value in u] * 3
         for _ in range(12):
-            rates = [self.rates([a + b for a, b in zip(u, stage, strict=True)]) for stage in stages]
-            rest = [
-                [(stages[i][r] - h * sum((tableau[i, j] * rates[j][r] for j in range(3)), arb(0))).mid()]
-                for i in range(3)
-                for r in range(size)
-            ]
-            moved = (inverse * arb_mat(rest)).mid()
-            stages = [[(stages[i][r] - moved[i * size + r, 0]).mid() for r in range(size)] for i in range(3)]
-            if all(abs(moved[k, 0]) < arb("1e-40") * (abs(u[k % size]) + arb("1e-30")) for k in range(3 * size)):
+            rates = [self.rates([a + stages[i, row] for row, a in enumerate(u)]) for i in range(3)]
+            rest = stages - scaled * arb_mat(rates)
+            moved = (inverse * arb_mat(3 * size, 1, rest.entries())).mid().entries()
+            stages = (stages - arb_mat(3, size, moved)).mid()
+            if all(abs(by) < limit for by, limit in zip(moved, small, strict=True)):
                 break
-        return [(a + b).mid() for a, b in zip(u, stages[2], strict=True)]
+        return [(a + stages[2, row]).mid() for row, a in enumerate(u)]
 
     def run(self, u: State, stop: Callable[[State], bool], tolerance: str = "1e-12") -> State:
         """The state at the end of the first step after which ``stop`` says so."""
