@@ -39,6 +39,17 @@ PROPERTIES = {
     "theoretical predictions": "theoretical",
     "we can derive expressions": "procedure",
     "(?:always|all trajectories|all initial conditions)": UNIVERSAL,
+    "goes directly": "directly",
+    "quickly": "quick|within",
+    "nearly perfect": "nearly",
+    "infinitely smooth": "smooth",
+    r"eventually\s+cause": "in the end",
+    r"is very large": "very large",
+    r"very large growth": "growth",
+    r"very\s+slowly": "slowly",
+    "fit each other very well": "%",
+    "vanishingly": "vanish|ε\\^",
+    "lead rapidly": r"rapid|ε\^",
 }
 """A property that a sentence claims, where it is no part of a name, and how a row says it: qualifying words too."""
 

@@ -305,22 +305,26 @@ def free_motion() -> bool | None:
 
 
 def falls_for_ever(alpha_2_is_negative: bool = True) -> bool | None:
-    """Whether the leading coefficient of y in u is negative: then y < z from some time on, as z → 0."""
-    leading = ALGEBRA.coefficient_of(ALGEBRA.read(FLIGHT["y"]), "u", 3)
+    """Whether the leading coefficients of v and y in u are negative: y < z from some time on, as z → 0."""
     image = {"alpha2": -_SYMBOLS["x"] if alpha_2_is_negative else _SYMBOLS["x"]}
-    return rising_signs(-ALGEBRA.substitute(leading, image))
+    leading = [ALGEBRA.coefficient_of(ALGEBRA.read(FLIGHT[name]), "u", power) for name, power in (("v", 2), ("y", 3))]
+    return all(rising_signs(-ALGEBRA.substitute(value, image)) for value in leading)
 
 
 def below_a_line() -> bool | None:
     """Whether y < z no later than at an explicit time: y + x u³/6 <= (|b|/2 + |v| + |y|) u² for u >= 1.
 
-    With d = |b|/2 + |v| + |y| and u = 6 (d + e)/x the flight has y <= -e u², for every e > 0, x = -α_2.
+    With d = |b|/2 + |v| + |y| and u = 6 (d + e)/x the flight has y <= -e u², for every e > 0, x = -α_2; and with
+    d = |b| + |v| and u = 2 (d + e)/x, v <= -e u.
     """
     x, d, e = _SYMBOLS["x"], _SYMBOLS["d"], _SYMBOLS["e"]
-    leading = ALGEBRA.substitute(ALGEBRA.coefficient_of(ALGEBRA.read(FLIGHT["y"]), "u", 3), {"alpha2": -x})
-    # u = 6 (d + e)/x: d u² + leading u³ = u² (d + 6 leading (d + e)/x)
-    found = d * x + 6 * leading * (d + e)
-    return bool((found + e * x).is_zero())
+    answers = []
+    for name, power, factor in (("y", 3, 6), ("v", 2, 2)):
+        leading = ALGEBRA.substitute(ALGEBRA.coefficient_of(ALGEBRA.read(FLIGHT[name]), "u", power), {"alpha2": -x})
+        # u = factor (d + e)/x: (d + leading u) times a power of u, and x (d + leading u) is
+        found = d * x + factor * leading * (d + e)
+        answers.append(bool((found + e * x).is_zero()))
+    return all(answers)
 
 
 def _flight_ends() -> Entry:
@@ -329,15 +333,18 @@ def _flight_ends() -> Entry:
         "3-flight-ends",
         "lines 914 to 917",
         r"\text{in Cases I and III }\dot b<0:\ \text{lift-off always terminates}",
-        "In Cases I and III (α_2 < 0) every flight of the model system ends with a touch-down, at every ε",
+        "In Cases I and III (α_2 < 0) every flight of the model system ends with a touch-down, at every ε: in free "
+        "motion v and y decrease in the end, without bound",
         Check(
             Rung.EXACT,
-            "y is a cubic with the leading coefficient α_2/6 < 0, z = z_0 e^(-u/ε) → 0: y < z in the end",
+            "v has the leading coefficient α_2/2 < 0, y is a cubic with α_2/6 < 0, z = z_0 e^(-u/ε) → 0: y < z in the "
+            "end",
             all_of([free_motion(), falls_for_ever()]),
         ),
         Check(
             Rung.EXACT,
-            "y <= -e u² at u = 6 (|b|/2 + |v| + |y| + e)/|α_2| >= 1, for every e > 0: an explicit time",
+            "y <= -e u² at u = 6 (|b|/2 + |v| + |y| + e)/|α_2| >= 1, and v <= -e u at u = 2 (|b| + |v| + e)/|α_2| >= "
+            "1, for every e > 0: an explicit time",
             all_of([free_motion(), below_a_line()]),
         ),
         note="That the touch-down comes shortly after the G-spot, in the simulated runs of Case III: 3-after-lift-off.",

@@ -40,7 +40,8 @@ def _same_situation() -> Entry:
         "Section 4.5",
         "S-same-situation",
         "lines 1304 to 1305, 2300 to 2304",
-        r"\text{for the other sign of }C_1\Gamma(-\beta)\text{ we are in the same situation as above}",
+        r"\text{for the other sign of }C_1\Gamma(-\beta)\text{ we are in the same situation as above; }"
+        r"\tilde{\hat y}\ll0\text{ for }s=0",
         "Case III on the side of the impact is in the situation of Cases I and II: the deviation of λ_N is positive "
         "at τ → -∞, 0 and ∞ (and y-hat is negative at s = 0)",
         Check(
@@ -56,7 +57,8 @@ def _same_situation() -> Entry:
             "dΘ/dτ < 0 there, so the deviation of λ_N is negative and that of y positive",
         ),
         corrected="An impact occurs, for another reason: from a given τ_0 on, for small ε, the mean force, which is "
-        "positive, dominates until the deviation is large, and that is positive (S-iwc-case-III)",
+        "positive, dominates until the deviation is large, and that is positive (S-iwc-case-III). On this side y\u0302 "
+        f"is positive at s = 0 for β = {BETA}; in Cases I and II it is negative",
         note="At τ = 0 the sign is that of Γ((1-β)/3) on this side: negative for every β in (1, 4).",
     )
 

@@ -41,7 +41,6 @@ IN_CONTACT = {"psi": "C - 1", "x": "-S*w"}
 BETAS = {"printed": "lam", "corrected": "18/7 - lam"}
 """Every β = lam > 0; every β below 18/7, at the distance lam > 0."""
 HIGHEST = fmpq(18, 7)
-CASE_III_AT = fmpq(7, 3)
 
 
 def _attribution() -> Entry:
@@ -162,13 +161,17 @@ def damps(form: str) -> bool | None:
 
 
 def has_a_case(form: str) -> bool | None:
-    """Whether there are κ >= 0 with a Case for these β: not above 10/3, where α_2 > 0; at 7/3 Case III, κ = 0."""
+    """Whether there are κ >= 0 with a Case for these β: not above 10/3, where α_2 > 0; κ = 0 up to 18/7, but for β = 1.
+
+    There α_2 < 0, as it is convex in β and negative at both ends; α_1 < 0 and α_3 = β α_1: Case I for β < 1, else III.
+    """
     if form == "printed":
         return False if section_6_runs.ends_before_10_3() is True else None
-    first, second, third = (
-        section_6_runs.number(name, CASE_III_AT, fmpq(0)) for name in ("alpha_1", "alpha_2", "alpha_3")
-    )
-    return max(first, second) < 0 and third < first and CASE_III_AT < HIGHEST
+    algebra, zero = section_6_runs.ALGEBRA, section_6_runs.ALGEBRA.constant(0)
+    second = algebra.substitute(algebra.read(section_6_runs.ALPHAS["alpha_2"]), {"kappa": zero})
+    convex = rising_signs(second.derivative("beta").derivative("beta"))
+    ends = [section_6_runs.number("alpha_2", beta, fmpq(0)) for beta in (fmpq(0), HIGHEST)]
+    return section_6_runs.is_controlled() and convex and max(ends) < 0
 
 
 def _any_beta() -> Entry:
@@ -192,7 +195,8 @@ def _any_beta() -> Entry:
             mended(*map(has_a_case, forms)),
             "α_2 > 0 and α_3 < α_1 < 0: none of the three Cases",
         ),
-        corrected="0 < β <= 18/7 with the chosen parameters, as the constants of springs and dampers are not negative",
+        corrected="0 < β <= 18/7, in some Case but for β = 1, with the chosen parameters, as the constants of springs "
+        "and dampers are not negative",
         note="With a damper and a spring of negative constants every β can be had: 6-classes.",
     )
 

@@ -21,6 +21,10 @@ _LETTER = re.compile(r"[A-Za-z]['′″]*")
 _NUMBER = re.compile(r"[-−+]?\d[\d./]*[%]?")
 _NAME = re.compile(r"[A-Za-z]{2,}(_[A-Za-z]{2,})+|[A-Za-z]{3,}/[A-Za-z]{3,}|\w+\.(md|py|toml|cert)|https?:.*")
 _WORDS_OF_PROSE = {"a", "A", "I"}
+_LISTED = re.compile(r"[(\[]*[aA],")
+"""No article has a comma after it."""
+_PANEL = re.compile(r"\([a-e]\)[.,;:!?]*")
+"""A letter in brackets alone names a panel, or a part of a theorem."""
 _TRAILING = ".,;:!?"
 TYPED = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−"}
 _LONG = re.compile(r"[A-Za-z]{4,}")
@@ -80,9 +84,11 @@ def runs(text: str) -> list[tuple[bool, str]]:
 
 
 def _is_open(run: list[str]) -> bool:
-    """Whether a bracket is open, so that the formula goes on after a comma."""
+    """Whether a bracket is open, so that the formula goes on after a comma; an interval may close with another."""
     text = "".join(run)
-    return any(text.count(opening) > text.count(closing) for opening, closing in ("()", "[]", "{}"))
+    return any(
+        sum(map(text.count, opening)) > sum(map(text.count, closing)) for opening, closing in (("([", ")]"), ("{", "}"))
+    )
 
 
 def _kind(word: str) -> str:
@@ -97,7 +103,11 @@ def _kind(word: str) -> str:
         return "formula"
     if _NUMBER.fullmatch(bare) or bare == "-":
         return "number"
-    if _LETTER.fullmatch(bare) and bare not in _WORDS_OF_PROSE:
+    if (
+        _LETTER.fullmatch(bare)
+        and not _PANEL.fullmatch(word)
+        and (bare not in _WORDS_OF_PROSE or _LISTED.fullmatch(word))
+    ):
         return "formula"
     return "prose"
 

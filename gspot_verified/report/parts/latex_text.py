@@ -41,7 +41,7 @@ _WORDS = {
 }  # fmt: skip
 _OTHERS = (
     "text frac tfrac sqrt quad qquad ldots cdots dots epsilon mathcal mathbb mathrm operatorname dddot ddddot iff "
-    "Rightarrow not leq geq left right big bigl bigr Big prime eps"
+    "Rightarrow not leq geq ll left right big bigl bigr Big prime eps"
 )
 _KNOWN = {*_GREEK_NAMES.split(), *_SIGNS.values(), *_FUNCTIONS, *_ACCENTS.values(), *_OTHERS.split(), *" ,;:!{}_|"}
 """Commands that a printed form may hold; none of them reads a file or defines anything."""

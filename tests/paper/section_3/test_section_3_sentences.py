@@ -244,9 +244,22 @@ def test_another_motion_is_not_that_of_the_flight(monkeypatch: pytest.MonkeyPatc
     assert not ledger.free_motion()
 
 
-def test_the_flight_ends_for_a_falling_b_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_flight_ends_for_a_falling_b_alone() -> None:
     assert ledger.falls_for_ever()
     assert not ledger.falls_for_ever(alpha_2_is_negative=False)
     assert ledger.below_a_line()
-    monkeypatch.setitem(ledger.FLIGHT, "y", "y + v*u + b*u^2/2 + alpha2*u^3/7")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "falls"),
+    [
+        ("y", "y + v*u + b*u^2/2 + alpha2*u^3/7", True),
+        ("v", "v + b*u + alpha2*u^2/3", True),
+        ("y", "y + v*u + b*u^2/2 - alpha2*u^3/6", False),
+        ("v", "v + b*u - alpha2*u^2/2", False),
+    ],
+)
+def test_v_and_y_fall_both(monkeypatch: pytest.MonkeyPatch, name: str, text: str, falls: bool) -> None:
+    monkeypatch.setitem(ledger.FLIGHT, name, text)
+    assert ledger.falls_for_ever() is falls
     assert not ledger.below_a_line()

@@ -26,3 +26,18 @@ def test_dampers(monkeypatch: pytest.MonkeyPatch, betas: str, answer: bool) -> N
 def test_cases() -> None:
     assert ledger.has_a_case("printed") is False
     assert ledger.has_a_case("corrected") is True
+
+
+@pytest.mark.parametrize(
+    ("alpha_2", "answer"),
+    [
+        ("beta^2 - 7", True),
+        ("beta^2 - 6", False),  # 18/7 squared is 6.6
+        ("beta^2 - beta", False),
+        ("3 - beta^2", False),
+        ("-beta^2 - 1", False),  # negative, but not seen by its ends
+    ],
+)
+def test_alpha_2_is_negative_up_to_the_highest(monkeypatch: pytest.MonkeyPatch, alpha_2: str, answer: bool) -> None:
+    monkeypatch.setitem(ledger.section_6_runs.ALPHAS, "alpha_2", f"{alpha_2} + kappa")
+    assert ledger.has_a_case("corrected") is answer

@@ -43,7 +43,7 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.BETAS, "corrected", lambda _: "19/7 - lam"),
         Bite("hypothesis", oscillator.PARAMETERS, "cpsi", replaced("18 - 7*beta", "18 + 7*beta")),
         Bite("hypothesis", section_6_runs.ALPHAS, "alpha_2", lambda honest: f"-({honest})"),
-        Bite("hypothesis", ledger, "CASE_III_AT", lambda _: fmpq(1, 2)),
+        Bite("hypothesis", ledger, "HIGHEST", lambda _: fmpq(10, 3)),
         Bite("order", oscillator.PARAMETERS, "cpsi", raised("beta")),
     ),
     "6-colours": (

@@ -5,6 +5,7 @@ from __future__ import annotations
 NOT_QUOTED = "no entry's label cites these lines, so the data of the ledger do not hold them"
 DEFINITION = "a definition or a premise; no entry holds it as a text"
 NO_TEXT = "held as code, not as a text"
+IN_A_SENTENCE = "in a sentence: compared in test_typed_numbers.py"
 UNREAD: dict[int, str] = {
     **dict.fromkeys((143, 158, 194, 246, 441, 451, 468, 473, 501, 621, 632, 757, 841, 967), DEFINITION),
     **dict.fromkeys((1021, 1144, 1184, 1202, 1337, 1348, 1353, 1360, 1366, 1375, 1409, 1414, 1427), DEFINITION),
@@ -18,8 +19,8 @@ UNREAD: dict[int, str] = {
 }
 """Displays by their first line, and why none of their formulas is compared."""
 UNTYPED: dict[tuple[str, str], str] = {
-    **{("4-roots-sum", part): "numbers in a sentence" for part in ("sum", "product")},
-    **{("1-beta", part): "a formula in a sentence that is not quoted alone" for part in ("numerator", "denominator")},
+    **{("4-roots-sum", part): IN_A_SENTENCE for part in ("sum", "product")},
+    **{("1-beta", part): IN_A_SENTENCE for part in ("numerator", "denominator")},
     **{
         ("5-orders", f"{sum_} {part}"): "in the name of the sum"
         for sum_ in "bv"
@@ -29,11 +30,11 @@ UNTYPED: dict[tuple[str, str], str] = {
     **{("5-matching", f"power of {name}"): "read as one product" for name in ("kappa", "epsilon")},
     **{("2-stick", part): "read as one quotient" for part in ("numerator", "denominator")},
     **{
-        ("S-gamma-intervals", f"{sign} {end}"): "an interval in a sentence"
+        ("S-gamma-intervals", f"{sign} {end}"): IN_A_SENTENCE
         for sign in ("negative", "positive")
         for end in ("from", "to")
     },
-    ("4-order", "order"): "a number in a sentence",
+    ("4-order", "order"): IN_A_SENTENCE,
     ("5-orders", "p_0"): NOT_QUOTED,
     ("5-example-b", "error"): "the order of 5-example-b-error in its corrected form",
     ("5-example-b-error", "term 7"): "what the printed order says: no term of order 7",

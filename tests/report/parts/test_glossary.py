@@ -1,11 +1,14 @@
 """The glossary: every term is where the paper has it, and linked where the start page first uses it."""
 
 import re
+from collections.abc import Sequence
+from importlib import resources
 from pathlib import Path
 
 import pytest
 
 from gspot_verified.paper.checks.entry import Rung
+from gspot_verified.paper.claims import PaperClaim, Standing, paper_claims
 from gspot_verified.report.data import report_data
 from gspot_verified.report.parts.formulas import typeset
 from gspot_verified.report.parts.glossary import glossary, linked_at_first_use
@@ -20,6 +23,12 @@ WANTED = {
     "certificate", "ball", "proved", "refuted", "undecided", "rung",
 }  # fmt: skip
 START = '<main id="main">{}</main>'
+NOT_CHECKABLE = {
+    "^a drawing; ": "drawing",
+    "^a statement about other works$": "other works",
+    "no exact meaning|no measure": "exact meaning",
+}
+"""Why a claim cannot be checked, and how the pages name that."""
 
 
 @pytest.fixture(scope="module")
@@ -40,6 +49,32 @@ def test_places_exist():
         assert not any(place.startswith("eq:") for place in term.cited), term.key
         assert all((PROOFS / f"{name}.md").is_file() for name in term.pages), term.key
         assert term.printed is None or term.cites, term.key
+
+
+def unnamed(claims: Sequence[PaperClaim], page: str) -> list[str]:
+    """The reasons of claims that are not checkable which the words of a page do not name."""
+    reasons = [claim.why for claim in claims if claim.without_entries is Standing.NOT_CHECKABLE]
+    named = [reason for reason, word in NOT_CHECKABLE.items() if word in page]
+    return [why for why in reasons if not any(re.search(reason, why) for reason in named)]
+
+
+def test_the_pages_name_every_reason_for_which_a_claim_is_not_checkable():
+    page = resources.files("gspot_verified.report.pages").joinpath("start.html.j2").read_text(encoding="utf-8")
+    [shown] = re.findall(r'"not checkable": "([^"]*)"', page)
+    [told] = re.findall(r"Not checkable: (.*)", next(term.meaning for term in glossary() if term.key == "claim"))
+    assert [unnamed(paper_claims(), text) for text in (shown, told)] == [[], []]
+    assert len(unnamed(paper_claims(), "A drawing, or about other works.")) > 1
+
+
+def test_what_is_overtaken_in_part_is_said_to_be_so():
+    """One of these claims is open in general: what is known now is of single runs."""
+    partly = [claim for claim in paper_claims() if claim.proved_as is Standing.OVERTAKEN and " open" in claim.why]
+    assert partly != []
+    folder = resources.files("gspot_verified.report.pages")
+    texts = [folder.joinpath(f"{page}.html.j2").read_text(encoding="utf-8") for page in ("start", "claims")]
+    texts.append(next(term.meaning for term in glossary() if term.key == "claim"))
+    told = [re.findall(r"[Oo]vertaken[^.]*[.]", text) for text in texts]
+    assert [any("in part" in sentence for sentence in sentences) for sentences in told] == [True] * 3
 
 
 def test_a_printed_formula_stands_in_its_lines():

@@ -49,6 +49,11 @@ def test_any_text_becomes_balanced_ascii(text: str) -> None:
         ("verify --formal", "verify -{}-formal"),
         ("constant α's, the α’s", r"constant $\alpha$'s, the $\alpha$'s"),
         ("one ☃", r"one $\text{[U+2603]}$"),
+        ("every ε in (0, 1/100]: for all", r"every $\varepsilon$ in $(0,\allowbreak1/100]$: for all"),
+        ("on [τ_0, ∞) the force", r"on $[\tau_{0},\allowbreak \infty)$ the force"),
+        ("a, b, A, B: in Cases I, II", "$a$, $b$, $A$, $B$: in Cases I, II"),
+        ("a b, as in panels (b) and (c).", "a $b$, as in panels (b) and (c)."),
+        ("F(b) and (t)", "$F(b)$ and $(t)$"),
     ],
 )
 def test_texts(text: str, latex: str) -> None:
