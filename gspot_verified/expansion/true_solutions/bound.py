@@ -12,7 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.expansion.series.legend import InTwo, in_two, left_side
 from gspot_verified.expansion.trajectory import Trajectory
-from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations, measured_in
 from gspot_verified.expansion.true_solutions.track import Track, track
 from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, ball_text, exact, working_bits
 from gspot_verified.numbers.evidence import cover, every, less
@@ -209,8 +209,9 @@ def _largest(values: list[arb]) -> arb:
 def _verdict(tracked: Track, start: fmpq, end: fmpq, delta: fmpq, within: fmpq) -> Verdict:
     order = tracked.equations.trajectory.order
     statement = (
-        f"every solution in contact within {within} delta^{order} of the expansion at s = {start} is within "
-        f"K delta^{order} of it for {start} <= s <= {end} and 0 < delta <= {delta}"
+        f"every solution in contact within {within} delta^{order} of the expansion at s = {start} (in "
+        f"{measured_in(tracked.equations.trajectory)}) is, as long as slip is positive, within K delta^{order} of it "
+        f"for {start} <= s <= {end} and 0 < delta <= {delta}"
     )
     covered = cover(((piece.start, piece.end) for piece in tracked.pieces), (start, end))
     if covered is not None:

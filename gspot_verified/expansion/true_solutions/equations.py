@@ -32,6 +32,13 @@ class Coupling:
     p: arb
 
 
+def measured_in(trajectory: Trajectory) -> str:
+    """The variables in which a solution is near the expansion at the start: those of Corollaries 1 and 2."""
+    springs = trajectory.system.regularisation
+    kappa = springs.k_1 * springs.k_2 / (springs.k_1 + springs.k_2)
+    return f"each component of the scaled state, p, b, y, v, and lambda_n + {kappa} y"
+
+
 class Residuals:
     """Bounds on the residuals of a trajectory for all delta up to one, each computed once."""
 

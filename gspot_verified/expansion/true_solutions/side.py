@@ -13,7 +13,7 @@ from flint import arb, fmpq
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.expansion.true_solutions.bound import BITS, check_interval, rational
 from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges
-from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations, measured_in
 from gspot_verified.expansion.true_solutions.side_end import (
     SideEnd,
     first_end,
@@ -147,7 +147,8 @@ def uniform_side(
         shown = joined(ends, small)
     whole = (
         f"for every epsilon <= {small**3} and every state within {tube} delta^mu of the expansion and the slow "
-        f"deviation with C_1 = {amount} at s = {first}, mu = {power}, as long as slip is positive"
+        f"deviation with C_1 = {amount} at s = {first} (in {measured_in(trajectory)}, which is 0 in the slow "
+        f"deviation), mu = {power}, as long as slip is positive"
     )
     family = (trajectory, amount, beta, first, small, tube, tuple(deviation))
     if shown is None:

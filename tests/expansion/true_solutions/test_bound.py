@@ -17,6 +17,7 @@ from samples.strategies import ends
 from witnesses.true_solutions import extended_motion, oscillator_motion, oscillator_start
 
 from gspot_verified.compliant.slow.slow_solution import slow_value
+from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
 from gspot_verified.expansion.true_solutions import bound as module
 from gspot_verified.expansion.true_solutions.bound import UniformBound, _contact, _largest, uniform_bound
@@ -43,6 +44,14 @@ def expanded(trajectory: Trajectory, s: Any, delta: Any) -> dict[str, float]:
 @pytest.fixture(scope="module")
 def extended() -> UniformBound:
     return uniform_bound(expand_system(extended_example(chi=1), 6), -3, 2, "1/20", within=0)
+
+
+def test_the_statement_has_every_condition_of_the_corollary() -> None:
+    """Corollary 1: slip is positive, and lambda + kappa y is within the distance too, kappa = k_1 k_2/(k_1 + k_2)."""
+    system = replace(extended_example(chi=1), regularisation=Regularisation(k_1=fmpq(1), k_2=fmpq(4), c=fmpq(1)))
+    statement = uniform_bound(expand_system(system, 4), "-1/8", "1/8", "1/50").verdict.statement
+    assert "as long as slip is positive" in statement
+    assert "each component of the scaled state, p, b, y, v, and lambda_n + 4/5 y" in statement
 
 
 @pytest.mark.parametrize("delta", [fmpq(1, 20), fmpq(1, 33), fmpq(1, 80)])

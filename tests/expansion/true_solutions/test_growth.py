@@ -180,6 +180,13 @@ def test_the_statement_says_that_slip_is_assumed(c_1: int, delta: str) -> None:
     assert "as long as slip is positive" in side_of("3/2", c_1, delta).verdict.statement
 
 
+def test_the_statement_names_what_is_near() -> None:
+    """Corollary 2 asks for |f| <= r delta^mu, too, f = lambda + kappa y less that of the expansion."""
+    statement = side_of("3/2", 1, "1/50").verdict.statement
+    assert "each component of the scaled state, p, b, y, v, and lambda_n + 1/2 y" in statement
+    assert "which is 0 in the slow deviation" in statement
+
+
 def test_the_radii_hold_the_slow_deviation_and_the_tube(monkeypatch: pytest.MonkeyPatch) -> None:
     """The run begins at the midpoints: the ball of the slow deviation counts, as ``within`` does."""
 
