@@ -175,9 +175,10 @@ def contact_force(
     return ContactForce(parameter, first, second, third, charge)
 
 
-def case_and_side(case: str, numbers: str, c1: fmpq, takes_impact: bool) -> str:
-    """The Case, beta and the alphas as ``numbers`` has them, and the side of C_1."""
-    words = "no Case, between I and II" if case == "none" else f"Case {case}"
+def case_and_side(case: str | None, numbers: str, c1: fmpq, takes_impact: bool) -> str:
+    """The Case (None: the sign of alpha_2 is open), beta and the alphas as ``numbers`` has them, and the side of C_1."""
+    open_words = {None: "the sign of α2 is open, and with it the Case", "none": "no Case, between I and II"}
+    words = open_words.get(case, f"Case {case}")
     side = "> 0, λ_N → +∞" if takes_impact else "< 0, λ_N → -∞"
     return f"  {words}: {numbers}, C1 = {short_text(c1)}: the side C1/Γ(-β) {side}"
 

@@ -12,7 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.leading_order.contact_force import LEADING, MAX_BETA, ContactForce, case_and_side, rational
 from gspot_verified.leading_order.stretches_over_ball import SlopeOverBall
-from gspot_verified.numbers.balls import ExactInput, ball, ball_text, bits_for_digits, exact, working_bits
+from gspot_verified.numbers.balls import ExactInput, ball, ball_text, bits_for_digits, exact, sign_of, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Reason
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
@@ -59,11 +59,12 @@ class ForceOverBalls(NoTruthValue, Written):
         return self.direction == self.side
 
     @property
-    def case(self) -> str:
-        """The paper's Case, "none" where the sign of alpha_2 is open or alpha_2 = 0."""
+    def case(self) -> str | None:
+        """The paper's Case, "none" where alpha_2 = 0; None where the sign of alpha_2 is open."""
         if self.beta > 1:
             return "III"
-        return "I" if self.alpha_2 < 0 else "II" if self.alpha_2 > 0 else "none"
+        sign = sign_of(self.alpha_2)
+        return None if sign is None else {-1: "I", 0: "none", 1: "II"}[sign]
 
     def mean(self, digits: int = 15) -> arb:
         """alpha_2/(alpha_3 - alpha_1) = alpha_2/(alpha_1 (beta - 1))."""

@@ -61,8 +61,18 @@ def test_the_charge_that_is_left_out() -> None:
     assert force_over_balls(-1, -1, around(Fraction(-3, 2))).c1 == 1
     assert force_over_balls(-1, -1, around(Fraction(-5, 2))).c1 == -1
     assert force_over_balls(-1, around(Fraction(1)), around(Fraction(-1, 2))).case == "II"
-    assert force_over_balls(-1, around(Fraction(0)), around(Fraction(-1, 2))).case == "none"
+    assert force_over_balls(-1, around(Fraction(0)), around(Fraction(-1, 2))).case is None
     assert force_over_balls(-1, 0, around(Fraction(-1, 2))).case == "none"
+
+
+def test_an_open_case_is_not_said_to_be_none() -> None:
+    """alpha_2 in [-1/1000, 1/1000] may be of Case I or II; alpha_2 = 0 is of none."""
+    open_case, none = (force_over_balls(-1, second, around(Fraction(-1, 2))) for second in (around(Fraction(0)), 0))
+    assert "no Case" not in open_case.lines()[0]
+    assert "the sign of α2 is open, and with it the Case: β = " in open_case.lines()[0]
+    assert open_case.to_json()["case"] is None
+    assert "no Case, between I and II: β = " in none.lines()[0]
+    assert none.to_json()["case"] == "none"
 
 
 @pytest.mark.parametrize(

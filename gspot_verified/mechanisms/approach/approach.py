@@ -328,7 +328,7 @@ class _Attempt:
             end=end,
             time=time,
             place=self._texts(place),
-            case=case if case != "none" else None,
+            case=case,
             alphas=alphas,
             beta=beta,
             coefficient=coefficient,

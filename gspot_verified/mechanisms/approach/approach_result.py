@@ -45,8 +45,8 @@ class Approach(NoTruthValue, Written):
     """Where positive slip from a state leads.
 
     ``end`` is "G-spot", "lift-off" or "stick", what is proved to come first; None when it is undecided. ``place`` is
-    the G-spot, or the state at the event; ``time`` the time until then. At a G-spot ``case``, ``alphas``, ``beta`` and
-    ``coefficient`` (C_1) are what they are there; ``side`` is "lift-off", "impact without collision", or None where it
+    the G-spot, or the state at the event; ``time`` the time until then. At a G-spot ``case`` ("none": in no Case, None:
+    the balls leave it open), ``alphas``, ``beta`` and ``coefficient`` (C_1) are what they are there; ``side`` is "lift-off", "impact without collision", or None where it
     is undecided or the theory says none, and ``side_reason`` says why. ``least_slip`` bounds u on the path from below;
     ``notes`` say how the mechanism was read. ``supposed`` names what is 0 on the contact and was not shown to be
     exactly 0 in the state that was given: the statement is then about the state on the contact. ``fast_exponent``: E,
@@ -110,7 +110,8 @@ class Approach(NoTruthValue, Written):
                 "  " + ", ".join(f"{n} = {ball_text(value)}" for n, value in zip(names, self.alphas, strict=True))
             )
         if self.beta is not None:
-            lines.append(f"  {f'Case {self.case}' if self.case else 'no Case'}, beta = {ball_text(self.beta)}")
+            open_words = {None: "the Case is open", "none": "no Case"}
+            lines.append(f"  {open_words.get(self.case, f'Case {self.case}')}, beta = {ball_text(self.beta)}")
         if self.coefficient is not None:
             lines.append(f"  C1 = {ball_text(self.coefficient)}, b = b_distinguished + C1 (-t)^beta + ...")
         if self.end == "G-spot":

@@ -58,7 +58,7 @@ class MechanismSide(NoTruthValue, Written):
         lines = [str(self.verdict)]
         if found.end == "G-spot":
             lines.append("  the G-spot: " + ", ".join(f"{word} = {value}" for word, value in found.place))
-        if found.case is not None and found.beta is not None:
+        if found.case in ("I", "II", "III") and found.beta is not None:
             lines.append(f"  Case {found.case}, beta = {ball_text(found.beta)}")
         if found.coefficient is not None:
             lines.append(f"  C_1 = {ball_text(found.coefficient)}")
@@ -149,7 +149,7 @@ def _outcome(mechanism: Mechanism, found: Approach) -> tuple[tuple[str, ...], tu
     if found.end != "G-spot" or found.alphas is None or found.beta is None:
         return (), _Open(Reason.BEYOND, f"rigid slip from this state ends by {found.end} before any G-spot")
     if found.case != "III":
-        case = found.side_reason if found.case is None else f"Case {found.case}"
+        case = f"Case {found.case}" if found.case in ("I", "II") else found.side_reason
         return (), _Open(Reason.BEYOND, f"Theorem R is about Case III: {case}")
     if found.coefficient is None:
         return (), _Open(Reason.HYPOTHESIS, found.side_reason)

@@ -76,7 +76,7 @@ def undecided(found: MechanismSide, reason: Reason, why: str) -> None:
     text, rigid = str(found), found.approach
     assert "rests on" not in text
     assert ("the G-spot: " in text) is (rigid.end == "G-spot")
-    assert ("  Case " in text) is (None not in (rigid.case, rigid.beta))
+    assert ("  Case " in text) is (rigid.case in ("I", "II", "III") and rigid.beta is not None)
     assert ("  C_1 = " in text) is (rigid.coefficient is not None)
     assert found.verdict.outcome is Outcome.UNDECIDED
     assert found.verdict.reason is reason
@@ -123,6 +123,7 @@ def test_beta_may_be_any_number_of_a_ball(monkeypatch: pytest.MonkeyPatch) -> No
     [
         ({"case": "I"}, Reason.BEYOND, "Theorem R is about Case III: Case I"),
         ({"case": None, "side_reason": "alpha_2 is open"}, Reason.BEYOND, "alpha_2 is open"),
+        ({"case": "none", "side_reason": "alpha_2 = 0"}, Reason.BEYOND, "Theorem R is about Case III: alpha_2 = 0"),
         ({"coefficient": None, "side_reason": "not enclosed"}, Reason.HYPOTHESIS, "not enclosed"),
         ({"coefficient": arb(0, 1), "side_reason": "sign open"}, Reason.WIDE_INPUT, "sign open"),
         ({"coefficient": arb(0)}, Reason.WIDE_INPUT, ""),
