@@ -95,7 +95,8 @@ class CriticalFriction(NoTruthValue, Written):
             why = self.reason or f"for every mu p > 0 {_EVERYWHERE}"
             return f"critical friction: infinite ({why}){self._conditions()}"
         places = "; ".join(", ".join(f"{word} = {text}" for word, text in place) for place in self.places)
-        text = f"critical friction mu_c = {ball_text(self.value)}, attained at {places}"
+        where = "at" if len(self.places) == 1 else "at one of these places, at least:"
+        text = f"critical friction mu_c = {ball_text(self.value)}, attained {where} {places}"
         if self.is_below and self.friction is not None:
             text += f"\n  mu = {ball_text(self.friction)} lies below mu_c: p > 0 {_EVERYWHERE}"
         return text + self._conditions()
@@ -112,8 +113,8 @@ class CriticalFriction(NoTruthValue, Written):
         text = f"critical friction mu_c = {table_text(self.value)}"
         if self.value.rel_accuracy_bits() < _SHORT_BITS:
             text += " (found roughly; critical_friction takes longer and may say more)"
-        if self.is_below and self.friction is not None:
-            text += f"; mu = {table_text(self.friction)} lies below it: p > 0 {_EVERYWHERE}"
+        if self.is_below:  # six digits of both would not show it
+            text += f"; mu lies below it: p > 0 {_EVERYWHERE}"
         return text + self._conditions()
 
 

@@ -192,6 +192,22 @@ def test_a_rough_value_names_the_function_that_searches_longer() -> None:
     assert sharp.in_short() == "critical friction mu_c = 0.700000"
 
 
+def test_a_friction_below_the_critical_one_is_not_written_above_it() -> None:
+    """With six digits 1.234567 is 1.23457, above 1.2345675."""
+    found = CriticalFriction("a", arb("1.2345675", 1e-12), (), arb("1.234567"))
+    assert found.is_below
+    assert "; mu lies below it: p > 0" in found.in_short()
+    assert "1.23457 lies" not in found.in_short()
+    assert "mu = [1.23456700000000 +/- " in str(found)
+
+
+def test_of_several_places_one_is_shown_to_have_the_largest_value() -> None:
+    one, other = (("theta", "1"),), (("theta", "2"),)
+    assert "attained at theta = 1" in str(CriticalFriction("a", arb("0.7", 1e-9), (one,), None))
+    two = str(CriticalFriction("a", arb("0.7", 1e-9), (one, other), None))
+    assert "attained at one of these places, at least: theta = 1; theta = 2" in two
+
+
 def test_only_the_largest_of_several_maxima_is_named() -> None:
     """x = cos, y = sin + sin(2 theta): B/C has maxima of different height, which the search proves."""
     found = critical_friction(bent("cos(theta)", "sin(theta) + sin(2*theta)"))
