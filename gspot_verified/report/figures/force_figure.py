@@ -36,18 +36,18 @@ BETAS = tuple(fmpq(k, 8) for k in range(10, 8 * LAST) if k % 8)
 
 @dataclass(frozen=True, slots=True)
 class ThresholdPoint:
-    """epsilon_0 at leading order, and an enclosure of the exact one on tau >= -10; |C_1| = 1, alpha_1 = alpha_2 =
-    -1."""
+    """Enclosures of the largest epsilon_0 at leading order and of the exact one on tau >= -10; |C_1| = 1, alpha_1 =
+    alpha_2 = -1."""
 
     beta: fmpq
-    leading: fmpq
+    leading: arb
     lower: fmpq
     upper: fmpq
 
     @property
     def ratio(self) -> float:
         """Exact over leading order."""
-        return approximate(self.lower / self.leading)
+        return approximate(arb(self.lower) / self.leading)
 
 
 def threshold_points(betas: Iterable[fmpq] = BETAS) -> tuple[ThresholdPoint, ...]:
@@ -60,9 +60,9 @@ def threshold_points(betas: Iterable[fmpq] = BETAS) -> tuple[ThresholdPoint, ...
     for beta in betas:
         leading = leading_order_iwc(beta, tau_start=START)
         digits = START_DIGITS if int(beta.floor()) % 2 else DIGITS
-        exact = exact_epsilon_0(leading, digits)[0]
-        if leading.epsilon_0 is not None and exact is not None and exact.lower is not None and exact.upper is not None:
-            points.append(ThresholdPoint(beta, leading.epsilon_0, exact.lower, exact.upper))
+        exact, largest = exact_epsilon_0(leading, digits)[0], leading.largest_epsilon
+        if largest is not None and exact is not None and exact.lower is not None and exact.upper is not None:
+            points.append(ThresholdPoint(beta, largest, exact.lower, exact.upper))
     return tuple(points)
 
 
@@ -89,15 +89,15 @@ def _draw(points: Sequence[ThresholdPoint]) -> Picture:
     lower.plot(at, [point.ratio for point in points], ".", color=BLUE)
     lower.axvline(5, color=INK, linewidth=0.7, linestyle=":")
     lower.set(xlabel="β", ylabel="exact ε₀ / leading order", xlim=(1, None))
-    above = sum(point.lower >= point.leading for point in points)
-    below = sum(point.upper < point.leading for point in points)
+    above = sum(bool(arb(point.lower) >= point.leading) for point in points)
+    below = sum(bool(arb(point.upper) < point.leading) for point in points)
     return picture(
         figure,
         "thresholds",
         "Below which ε the contact holds for every τ ≥ −10, against β",
         f"Certified: at {len(points)} values of β the exact ε₀ of the compliant model on its slow manifold lies above "
-        f"the dot by at most {_percent(points)} % (|C₁| = 1, C₁/Γ(−β) > 0, α₁ = α₂ = −1). It is certainly not "
-        f"smaller than at leading order at {above} of them, and certainly smaller at {below}; the dotted line is "
+        f"the dot by at most {_percent(points)} % (|C₁| = 1, C₁/Γ(−β) > 0, α₁ = α₂ = −1). By these numbers it is "
+        f"not smaller than at leading order at {above} of them, and smaller at {below}; the dotted line is "
         "β = 5, up to which Theorem C (proofs/monotone.md) says that it is not. Where ⌊β⌋ is odd the start τ = −10 "
         "decides, where it is even a minimum inside. Not shown: other β.",
         "Groups of dots between the integers; the quotient is next to 1 for odd ⌊β⌋ and about 1.1 for even ⌊β⌋.",

@@ -5,8 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 
+from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.report.figures import force_figure
 from gspot_verified.report.figures.force_figure import ThresholdPoint, threshold_picture, threshold_points
 
@@ -33,13 +34,22 @@ def test_the_excess_lies_inside_its_bound() -> None:
 
 
 def test_the_caption_counts() -> None:
-    points = [*threshold_points([fmpq(3, 2), fmpq(21, 4)]), ThresholdPoint(fmpq(7, 2), fmpq(2), fmpq(1), fmpq(3))]
+    points = [*threshold_points([fmpq(5, 2), fmpq(21, 4)]), ThresholdPoint(fmpq(7, 2), arb(2), fmpq(1), fmpq(3))]
     found = threshold_picture(points)
     assert "at 3 values" in found.caption
     assert "at most 200.00 %" in found.caption
-    assert "at leading order at 1 of them, and certainly smaller at 1;" in found.caption
+    assert "at leading order at 1 of them, and smaller at 1;" in found.caption
     assert found.svg.startswith("<svg")
     assert found.png.startswith(b"\x89PNG")
+
+
+def test_an_exact_epsilon_0_within_the_ball_of_the_leading_one_is_not_compared() -> None:
+    """The lower end of what encloses the leading one is no bound on it from above."""
+    leading = leading_order_iwc("3/2")
+    assert leading.epsilon_0 is not None
+    assert leading.largest_epsilon is not None
+    point = ThresholdPoint(fmpq(3, 2), leading.largest_epsilon, leading.epsilon_0, 2 * leading.epsilon_0)
+    assert "at leading order at 0 of them, and smaller at 0;" in threshold_picture([point]).caption
 
 
 def test_points_lie_where_they_are_known() -> None:
