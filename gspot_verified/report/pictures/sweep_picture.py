@@ -217,4 +217,7 @@ def fates_caption(result: Fates) -> str:
     )
     if result.sides.below is None:
         return text
-    return f"{text} What follows the G-spot: for epsilon below some epsilon_0 > 0, one a state, not computed."
+    return (
+        f"{text} What follows the G-spot: for starts at rest in the contact, and epsilon below some epsilon_0 > 0, "
+        "one a state, not computed."
+    )

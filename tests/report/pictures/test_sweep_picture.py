@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from gspot_verified.mechanisms.fates.fates import fates
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
-from gspot_verified.report.pictures.sweep_picture import caption, save_sweep
+from gspot_verified.report.pictures.sweep_picture import caption, fates_caption, save_sweep
 
 BEGINNINGS = {".png": b"\x89PNG", ".pdf": b"%PDF", ".svg": b"<?xml"}
 
@@ -66,3 +67,11 @@ def test_a_map_and_pieces_that_are_left(tmp_path: Path) -> None:
 def test_no_change_is_claimed_where_a_zero_is_not_shown(line: Sweep) -> None:
     """Of two parameters a quantity may pass 0 on a piece; of one it does so in a bracket at most once."""
     assert "Dotted: where Case or side may change (1)." in caption(line)
+
+
+def test_the_caption_of_fates_has_the_condition_on_the_starts() -> None:
+    """Theorem R is about starts at rest in the contact; the text of the sweep says so, too."""
+    found = fates(shipped_mechanism("model system"), {"x": 0, "u": 5}, {"p": "1/2..3/5:1", "b": "-3..-2:1"})
+    assert found.sides.below is not None
+    assert "for starts at rest in the contact" in str(found)
+    assert "What follows the G-spot: for starts at rest in the contact, and epsilon below" in fates_caption(found)
