@@ -40,7 +40,9 @@ class ContactForce(NoTruthValue, Written):
     left_open: ClassVar[Reason] = Reason.BUDGET
     """Why a comparison is open: more digits would settle it."""
     too_close: ClassVar[str] = "ε is too close to the largest ε0; ask for more digits"
-    written: ClassVar[str] = "beta alpha_1 alpha_2 alpha_3 C1=c1 case mean_force=mean takes_impact"
+    written: ClassVar[str] = (
+        "beta alpha_1 alpha_2 alpha_3 C1=c1 case mean_force=mean tends_to_plus_infinity=takes_impact"
+    )
 
     beta: fmpq
     alpha_1: fmpq
@@ -176,7 +178,7 @@ def contact_force(
 
 
 def case_and_side(case: str | None, numbers: str, c1: fmpq, takes_impact: bool) -> str:
-    """The Case (None: the sign of alpha_2 is open), beta and the alphas as ``numbers`` has them, and the side of C_1."""
+    """The Case (None: open, as the sign of alpha_2 is), beta and the alphas as ``numbers`` has them, the side of C_1."""
     open_words = {None: "the sign of α2 is open, and with it the Case", "none": "no Case, between I and II"}
     words = open_words.get(case, f"Case {case}")
     side = "> 0, λ_N → +∞" if takes_impact else "< 0, λ_N → -∞"

@@ -32,7 +32,7 @@ def _draw(force: ContactForce, epsilon: fmpq) -> Picture:
     for sign, colour, style in _SIDES:
         side = replace(force, c1=sign * force.c1)
         bounds = [float_bounds(side.value(tau, epsilon)) for tau in _POINTS]
-        label = f"C₁ = {str(side.c1).replace('-', '−')}: {'takes an impact' if side.takes_impact else 'lifts off'}"
+        label = f"C₁ = {str(side.c1).replace('-', '−')}: λ_N → {'+' if side.takes_impact else '−'}∞"
         axes.plot(at, [(low + high) / 2 for low, high in bounds], color=colour, linestyle=style, label=label)
     axes.axhline(0, color=INK, linewidth=0.9)
     mean = float(ball(force.mean).mid())
