@@ -178,7 +178,7 @@ def contact_force(
 
 
 def case_and_side(case: str | None, numbers: str, c1: fmpq, takes_impact: bool) -> str:
-    """The Case (None: open, as the sign of alpha_2 is), beta and the alphas as ``numbers`` has them, the side of C_1."""
+    """The Case (None: open, as the sign of alpha_2), beta and the alphas as ``numbers`` has them, the side of C_1."""
     open_words = {None: "the sign of α2 is open, and with it the Case", "none": "no Case, between I and II"}
     words = open_words.get(case, f"Case {case}")
     side = "> 0, λ_N → +∞" if takes_impact else "< 0, λ_N → -∞"

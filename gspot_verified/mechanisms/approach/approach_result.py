@@ -48,9 +48,10 @@ class Approach(NoTruthValue, Written):
     the G-spot, or the state at the event; ``time`` the time until then. At a G-spot ``case`` ("none": in no Case, None:
     the balls leave it open), ``alphas``, ``beta`` and ``coefficient`` (C_1) are what they are there; ``side`` is
     "lift-off", "impact without collision", or None where it is undecided or the theory says none, and ``side_reason``
-    says why. ``least_slip`` bounds u on the path from below; ``notes`` say how the mechanism was read. ``supposed`` names what is 0 on the contact and was not shown to be
-    exactly 0 in the state that was given: the statement is then about the state on the contact. ``fast_exponent``: E,
-    where about e^(-E/epsilon) of the contact's fast oscillation at the start is left at the G-spot; a float, no bound.
+    says why. ``least_slip`` bounds u on the path from below; ``notes`` say how the mechanism was read. ``supposed``
+    names what is 0 on the contact and was not shown to be exactly 0 in the state that was given: the statement is then
+    about the state on the contact. ``fast_exponent``: E, where about e^(-E/epsilon) of the contact's fast oscillation
+    at the start is left at the G-spot; a float, no bound.
     ``spot`` encloses the G-spot as numbers, angles counted from their references; empty where there is none.
     """
 
