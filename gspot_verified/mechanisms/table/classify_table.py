@@ -21,7 +21,7 @@ from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.derive.to_system import counted_from_zero
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, require_mechanism
 from gspot_verified.mechanisms.sweep.sweep_cell import BITS
-from gspot_verified.mechanisms.sweep.sweep_findings import findings
+from gspot_verified.mechanisms.sweep.sweep_findings import HYPOTHESES, findings
 from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
 from gspot_verified.mechanisms.sweep.sweep_piece import NUMBERS, interval
 from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
@@ -145,13 +145,15 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
         if on is None:
             return _unknown(mechanism, row, "undecided", _NOT_FOUND)
         facts, point = findings(on, {}), counted_from_zero(mechanism, on.tube.zero_at(values))
+        known = facts.case, facts.lift_off_sign, facts.impact_sign
+        case, lift_off, impact = (None, None, None) if set(HYPOTHESES) & set(facts.unsure) else known
         return ClassifiedRow(
             number=row.number,
             given=row.given,
             outcome="undecided" if facts.unsure else "settled",
-            case=facts.case,
-            lift_off_sign=facts.lift_off_sign,
-            impact_sign=facts.impact_sign,
+            case=case,
+            lift_off_sign=lift_off,
+            impact_sign=impact,
             reason=f"not certain: {'; '.join(_said(name) for name in facts.unsure)}" if facts.unsure else "",
             numbers=tuple(zip(NUMBERS, facts.shown(), strict=True)),
             point=tuple(zip(mechanism.state, map(interval, point), strict=True)),

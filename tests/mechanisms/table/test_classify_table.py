@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from importlib import resources
 from pathlib import Path
 
 import pytest
@@ -61,6 +62,19 @@ def test_both_sides_of_an_integer_and_what_is_between() -> None:
     assert [row.lift_off_sign for row in found] == [-1, -1, None, 1, None, 1]
     assert (found[2].outcome, found[2].case) == ("undecided", "III")
     assert found[2].reason == "not certain: the sign of beta - 2"
+
+
+def test_nothing_is_said_where_a_hypothesis_is_not_certain(tmp_path: Path) -> None:
+    """The fields of the model with A < 0 in the place of A > 0 are those of no mechanism: there is no Case."""
+    text = (resources.files("gspot_verified.mechanisms.data") / "model_system.toml").read_text(encoding="utf-8")
+    text = text.replace("[parameters]", "[parameters]\nk = 1").replace('"3/(2*(1 - p))"', '"k*3/(2*(1 - p))"')
+    file = tmp_path / "fields.toml"
+    file.write_text(text.replace('fixed = ["x", "u"]', 'fixed = ["x", "u"]\nsearch = true'), encoding="utf-8")
+    right, wrong = classify_table(load(str(file)), [{"k": "1"}, {"k": "-1"}])
+    assert (right.outcome, right.case, right.lift_off_sign, right.impact_sign) == ("settled", "III", -1, 1)
+    assert (wrong.outcome, wrong.case, wrong.lift_off_sign, wrong.impact_sign) == ("undecided", None, None, None)
+    assert wrong.reason == "not certain: the mass matrix is positive definite"
+    assert wrong.summary == "undecided"
 
 
 def test_angles_that_are_counted_from_a_reference() -> None:
