@@ -81,6 +81,7 @@ def theta_of_floats(
     ((3,), True)
     """
     _without_mask(tau, "tau")
+    _without_mask(beta, "beta")
     taus, betas = _broadcast(_doubles(tau), _as_array(_listed(beta), "beta"))
     points = np.ascontiguousarray(taus).reshape(-1)
     middles, radii = np.empty(0), np.empty(0)
@@ -147,10 +148,14 @@ def _as_array(value: ExactInput | ComplexInput | np.ndarray[Any, Any], name: str
 
 
 def _without_mask(value: object, name: str) -> None:
-    """Passes for anything but a masked array.
+    """Passes for anything but a masked array, or a list that holds one.
 
     :raises TypeError: it is one.
     """
+    if isinstance(value, list | tuple):
+        for each in value:
+            if isinstance(each, np.ma.MaskedArray | list | tuple):
+                _without_mask(each, name)
     if isinstance(value, np.ma.MaskedArray):
         raise TypeError(f"{name}: a masked array is not taken, its mask would be lost: pass .compressed() or .filled()")
 

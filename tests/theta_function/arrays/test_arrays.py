@@ -282,6 +282,14 @@ def test_a_masked_array_is_refused() -> None:
             theta_of_floats(tau, beta)
 
 
+def test_a_masked_array_in_a_list_is_refused() -> None:
+    """numpy makes a plain array of the list, without the mask."""
+    masked = np.ma.masked_array([0.5, 1.0], [True, False])
+    for tau, beta in (([masked, masked], "1/2"), ((masked,), "1/2"), ([[masked]], "1/2"), ([0.5, 1.0], [masked])):
+        with pytest.raises(TypeError, match="a masked array is not taken"):
+            theta_of_floats(tau, beta)  # type: ignore[arg-type]
+
+
 def test_an_array_of_balls_for_beta() -> None:
     """Balls without a hash: equal ones share their work, others do not; one that is not finite is refused."""
     wide, same, other = arb("0.3"), arb("0.3"), arb("0.7")
