@@ -117,7 +117,7 @@ class Fates(NoTruthValue, Written):
         return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
 
     def to_csv(self) -> str:
-        """One line for each piece: its ends exactly and as decimals, the fate, the side, why it is open."""
+        """One line for each piece: its ends exactly and as the nearest doubles, the fate, the side, why it is open."""
         return "".join(self.csv_lines())
 
     def csv_lines(self) -> Iterator[str]:

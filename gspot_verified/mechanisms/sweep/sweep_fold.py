@@ -66,7 +66,7 @@ class Fold(NoTruthValue, Written):
         point = ", ".join(f"{word} = {_text(value)}" for word, value in self.point)
         return (
             f"fold at {self.parameter} = {_text(self.value)}: the continued spot meets another one there and both "
-            f"vanish; they are there for {side} {self.parameter}; {point}"
+            f"vanish; they are there for {side} {self.parameter}, as far as {self.reach}; {point}"
         )
 
 

@@ -130,7 +130,10 @@ class Sweep(NoTruthValue, Written):
         over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)
         on_line = "brackets where one quantity passes zero or the spot vanishes"
         besides = on_line if len(self.axes) == 1 else "pieces along curves where one quantity may pass zero"
-        statement = f"{self.name}: Case and side of the continued G-spot for every {over}, except in the {besides}"
+        ended = ", or that it is no more," if self._count(Kind.BEYOND) else ""
+        statement = (
+            f"{self.name}: Case and side of the continued G-spot{ended} for every {over}, except in the {besides}"
+        )
         counts = self._swept.counts()
         left = sum(count for what, count in counts.items() if what.kind in _UNKNOWN) + self._wide_folds()
         half = sum(not crossing.proved for crossing in self.crossings)
@@ -282,7 +285,7 @@ class Sweep(NoTruthValue, Written):
         return counts
 
     def to_csv(self) -> str:
-        """One line for each piece: its ends exactly and as decimals, bounds of the numbers rounded outward.
+        """One line for each piece: its ends exactly and as the nearest doubles, bounds of the numbers rounded outward.
 
         Where a parameter has the name of a number, as beta, the columns of that begin with ``spot_``.
         """

@@ -91,6 +91,15 @@ def test_what_a_text_says_of_a_range_holds_in_all_of_it() -> None:
         assert fmpq(Fraction(right).numerator, Fraction(right).denominator) <= upper
 
 
+def test_a_fold_says_how_far_the_two_spots_were_followed() -> None:
+    """Without an end, "for larger mu" would be a statement on all of them."""
+    found = sweep(shipped_mechanism("genot_brogliato_rod"), {"mu": "6/5..2:4"})
+    (fold,) = found.folds
+    assert f"they are there for larger mu, as far as {fold.reach}; " in str(fold)
+    assert fold.reach < 2
+    assert "of the continued G-spot, or that it is no more, for every mu in [6/5, 2], except" in found.verdict.statement
+
+
 def test_a_range_too_short_to_be_rounded_inward_is_exact() -> None:
     third = fmpq(1, 3)
     assert _inner(third, third + fmpq(1, 10**16)) == f"[1/3, {third + fmpq(1, 10**16)}]"
