@@ -15,7 +15,7 @@ from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.input.mechanism import Mechanism
-from gspot_verified.numbers.balls import ExactInput, approximate, exact
+from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exact
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.scene.scene import SceneError
@@ -90,14 +90,16 @@ class SimulatorComparison(NoTruthValue, Written):
         if certified.surface_velocity not in (None, "0"):
             head += f"\n  on a surface with the velocity u = {certified.surface_velocity}"
         if certified.time is not None:
-            head += f"\n  after the time t = {approximate(certified.time):.6g}"
+            head += f"\n  after the time t = {ball_text(certified.time, 6)}"
         if certified.end == "G-spot":
-            head += f"; then, as ε → 0: {certified.side or 'undecided'} ({certified.side_reason})"
+            said = f"{certified.side or 'undecided'} ({certified.side_reason})"
+            head += f"; then, by the paper's statement as ε → 0: {said}"
         rows = [("simulator", "settings", "what comes first", "t", "slip", "")]
         rows += [(r.simulator, r.settings, r.happened, _short(r.time), _short(r.slip), r.agrees) for r in self.runs]
         widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
         table = ["  " + "  ".join(word.ljust(w) for word, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-        return "\n".join([head, *table, *(f"  {note}" for note in (*certified.notes, *self.notes))])
+        remarks = (*certified.warnings, *certified.notes, *self.notes)
+        return "\n".join([head, *table, *(f"  {remark}" for remark in remarks)])
 
 
 def _short(value: float | None) -> str:

@@ -17,6 +17,7 @@ from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.load import load
+from gspot_verified.numbers.balls import ball_text
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators import comparison
 from gspot_verified.scenes.simulators.comparison import SimulatorComparison, simulators
@@ -221,7 +222,8 @@ def test_a_program_that_is_installed_is_run(monkeypatch: pytest.MonkeyPatch) -> 
     assert told == [pytest.approx((time / 100, 3 * time))]
     assert found.notes == ("Q is missing", "P: another model")
     text = str(found).splitlines()
-    assert text[1].startswith(f"  after the time t = {time:.6g}; then, as ε → 0: lift-off (")
+    shown = ball_text(found.certified.time, 6)  # type: ignore[arg-type]
+    assert text[1].startswith(f"  after the time t = {shown}; then, by the paper's statement as ε → 0: lift-off (")
     assert text[2].split() == ["simulator", "settings", "what", "comes", "first", "t", "slip"]
     assert text[-4].split() == ["P", "1.2", "well", "no", "event", "no", "event"]
     assert text[-2:] == ["  Q is missing", "  P: another model"]
@@ -245,3 +247,5 @@ def test_the_text_names_the_surface_and_says_how_the_mechanism_was_read() -> Non
         assert (f"\n  on a surface with the velocity u = {velocity}\n  after the time t = " in shown) == said
         assert ("on a surface with" in shown) == said
         assert shown.endswith("\n  which way u counts\n  MuJoCo: not run")
+    supposed = str(SimulatorComparison(replace(slip, supposed=("y", "v")), (), ()))
+    assert "\n  the state is supposed to lie on the contact: y, v = 0 there is not shown" in supposed
