@@ -115,10 +115,10 @@ class ZeroMap(NoTruthValue, Written):
     def verdict(self) -> Verdict:
         """Proved when no range of beta is left in any row."""
         lower, upper = self.epsilon
-        span = f"ε = {upper}" if lower == upper else f"ε in {'(' if lower == 0 else '['}{lower}, {upper}]"
+        span = f"at ε = {upper}" if lower == upper else f"every ε in {'(' if lower == 0 else '['}{lower}, {upper}]"
         question = (
             f"the number of real zeros of {SYSTEM} for every β in ({self.beta[0]}, {self.beta[1]}) that is not an "
-            f"integer and every {span}"
+            f"integer and {span}"
         )
         left = sum(len(row.unfinished) for row in self.rows)
         if left:
@@ -146,7 +146,8 @@ class ZeroMap(NoTruthValue, Written):
         for row in self.rows:
             parts = [f"{_numbers_text(numbers)} on ({a}, {b})" for a, b, numbers in row.stretches()]
             parts += [f"? on ({a}, {b})" for a, b in _joined(row.unfinished)]
-            lines.append(f"  ε in [{short_text(row.lower)}, {short_text(row.upper)}]: " + ", ".join(parts))
+            begin = "(" if row.lower == 0 else "["  # at ε = 0 nothing is stated
+            lines.append(f"  ε in {begin}{short_text(row.lower)}, {short_text(row.upper)}]: " + ", ".join(parts))
         if any(len(numbers) == 2 for row in self.rows for _, _, numbers in row.stretches()):
             lines.append(
                 "  a | b on a range: at each ε there is one β_f; a zeros for β < β_f, b for β > β_f (in the range)"
@@ -172,7 +173,7 @@ def zero_map(
 
     >>> print(zero_map("17/4..35/8", "1/10"))
     proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1 for every β in \
-(17/4, 35/8) that is not an integer and every ε = 1/10
+(17/4, 35/8) that is not an integer and at ε = 1/10
       ε in [0.1, 0.1]: 2 on (17/4, 35/8)
     """
     betas = _ends(beta, "beta", LEAST_BETA, MAX_BETA)

@@ -19,7 +19,7 @@ from gspot_verified.compliant.zeros.fold_column import (
     numbers_of_zeros,
 )
 from gspot_verified.compliant.zeros.zero_count import slow_zeros
-from gspot_verified.compliant.zeros.zero_map import Row, examine, least_work, zero_map
+from gspot_verified.compliant.zeros.zero_map import Row, ZeroMap, examine, least_work, zero_map
 from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
@@ -265,3 +265,12 @@ def test_the_rows_are_named_exactly() -> None:
     found = zero_map("17/4..35/8", "1/3..1/2")
     (row,) = [line for line in str(found).splitlines() if "ε in [1/3" in line and ": 2 on (17/4, 35/8)" in line]
     assert row.startswith(f"  ε in [1/3, {short_text(found.rows[0].upper)}]: ")
+
+
+def test_nothing_is_said_at_epsilon_0() -> None:
+    """A row from 0 on holds for epsilon > 0, as the statement says."""
+    row = Row(fmpq(0), fmpq(1, 2), (), ())
+    found = ZeroMap((fmpq(17, 4), fmpq(35, 8)), (fmpq(0), fmpq(1, 2)), (row,), 0)
+    assert "every ε in (0, 1/2]" in str(found)
+    assert "\n  ε in (0, 0.5]: " in str(found)
+    assert "and at ε = 1/2" in replace(found, epsilon=(fmpq(1, 2), fmpq(1, 2))).verdict.statement

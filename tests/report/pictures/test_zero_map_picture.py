@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from gspot_verified.compliant.zeros.zero_map import zero_map
-from gspot_verified.report.pictures.zero_map_picture import save_zero_map, zero_map_picture
+from gspot_verified.report.pictures.zero_map_picture import _caption, save_zero_map, zero_map_picture
 
 
 def test_a_file_is_written(tmp_path: Path) -> None:
@@ -24,3 +24,9 @@ def test_a_file_is_written(tmp_path: Path) -> None:
 def test_one_epsilon_is_refused() -> None:
     with pytest.raises(ValueError, match="epsilon"):
         zero_map_picture(zero_map("1..3", "1"))
+
+
+def test_of_which_curve_a_fold_is_is_not_said_to_be_certified() -> None:
+    """fold_point shows a fold; that it lies on the curve from 6 is how it was sought."""
+    words = _caption(zero_map("1..3", "1/2..1"), [3, 0])
+    assert "The curves join 3 certified folds, sought from β = 6 on; that they are one curve is not shown." in words
