@@ -174,8 +174,8 @@ def _side() -> Entry:
         r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
         f"The extended example in positive slip, χ = {COUPLING}, β = {BETA}, for every ε <= {LARGEST_DELTA**3} at "
         f"once: all states within {WITHIN} ε^({2 * (BETA - 1) / 3}) of the expansion of order {ORDER} and the slow "
-        f"deviation with C_1 at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1 λ_N grows past {FORCE} times the mean force, "
-        "with p < 0",
+        f"deviation with C_1 at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1 λ_N grows "
+        f"past {FORCE} times the mean force, with p < 0",
         Check(
             Rung.BALLS,
             "proofs/uniform.md, Theorem U2: a tube around the expansion, then a cone",
