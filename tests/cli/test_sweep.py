@@ -135,7 +135,7 @@ def test_a_line_with_table_picture_and_json(capsys: pytest.CaptureFixture[str], 
     rows = list(csv.DictReader(io.StringIO(table.read_text(encoding="utf-8"))))
     assert {row["fate"] for row in rows} == {"opens at once"}
     assert picture.read_bytes().startswith(b"<?xml")
-    assert main([*WORDS, "--over", "p=-1/2..1/2:3", "--json"]) == 2
+    assert main([*WORDS, "--over", "p=-2/5..2/5:3", "--json"]) == 2
     data = json.loads(capsys.readouterr().out)
     assert [piece["fate"] for piece in data["pieces"]] == ["p < 0", "undecided", "opens at once"]
     assert data["verdict"]["outcome"] == "undecided"
