@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar
 
 from flint import arb
 
+from gspot_verified.mechanisms.spots.classify import case_text
 from gspot_verified.numbers.balls import ShownBall, ball_text
 from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
@@ -111,8 +112,7 @@ class Approach(NoTruthValue, Written):
                 "  " + ", ".join(f"{n} = {ball_text(value)}" for n, value in zip(names, self.alphas, strict=True))
             )
         if self.beta is not None:
-            open_words = {None: "the Case is open", "none": "no Case"}
-            lines.append(f"  {open_words.get(self.case, f'Case {self.case}')}, beta = {ball_text(self.beta)}")
+            lines.append(f"  {case_text(self.case)}, beta = {ball_text(self.beta)}")
         if self.coefficient is not None:
             lines.append(f"  C1 = {ball_text(self.coefficient)}, b = b_distinguished + C1 (-t)^beta + ...")
         if self.end == "G-spot":

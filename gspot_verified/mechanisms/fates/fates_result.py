@@ -12,6 +12,7 @@ from flint import fmpq
 from gspot_verified.mechanisms.fates.box_fate import Fate
 from gspot_verified.mechanisms.fates.fate_piece import FatePiece
 from gspot_verified.mechanisms.fates.spot_sides import SpotSides
+from gspot_verified.mechanisms.spots.classify import case_text
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
 from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exact, rounded_text
 from gspot_verified.numbers.counted import counted
@@ -104,16 +105,12 @@ class Fates(NoTruthValue, Written):
     def __str__(self) -> str:
         state = ", ".join(f"{word} = {value}" for word, value in self.state)
         lines = [str(self.verdict), f"  from {state}; slip stops at u = {self.surface_velocity}"]
-        lines.append(f"  the G-spot: Case {self.sides.case}, beta = {ball_text(self.sides.beta, 8)}")
+        lines.append(f"  the G-spot: {case_text(self.sides.case)}, beta = {ball_text(self.sides.beta, 8)}")
         for fate in Fate:
             share = self.shares.get(fate.value)
             if share is not None:
                 lines.append(f"  {_percent(share)} %: {self.words(fate)}")
-        if self.sides.why:
-            lines.append(f"  no side for small epsilon: {self.sides.why}")
-        else:
-            rest = "sides rest on proofs/papers_rule.md, Theorem R, for starts at rest in the contact"
-            lines.append(f"  {rest}; epsilon_0, one for each state, is not computed")
+        lines.append(f"  {self.sides.rests_on or f'no side for small epsilon: {self.sides.why}'}")
         return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
 
     def to_csv(self) -> str:

@@ -21,6 +21,11 @@ from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue
 from gspot_verified.numbers.written import Written
 
+_RESTS_ON = (
+    "sides rest on proofs/papers_rule.md, Theorem R, for starts at rest in the contact; epsilon_0, one for each state, "
+    "is not computed"
+)
+
 
 @dataclass(frozen=True)
 class SpotSides(NoTruthValue, Written):
@@ -30,7 +35,7 @@ class SpotSides(NoTruthValue, Written):
     lambda_N/kappa, or next to it as Theorem R says."""
 
     ask: ClassVar[str] = ".below and .above are the sides by the sign of C_1"
-    written: ClassVar[str] = "case beta below above why"
+    written: ClassVar[str] = "case beta below above why rests_on"
 
     case: str | None
     beta: ShownBall
@@ -38,6 +43,11 @@ class SpotSides(NoTruthValue, Written):
     above: str | None
     why: str
     evidence: Evidence | None
+
+    @property
+    def rests_on(self) -> str:
+        """Of which starts and which epsilon the sides hold; empty where there are none."""
+        return "" if self.why else _RESTS_ON
 
 
 def spot_sides(mechanism: Mechanism) -> SpotSides:

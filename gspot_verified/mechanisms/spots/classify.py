@@ -236,6 +236,15 @@ def case_of(first: Exact, second: Exact, third: Exact) -> tuple[str | None, str]
     return case, _CASES[case]
 
 
+def case_text(case: str | None) -> str:
+    """A case in words.
+
+    >>> case_text("II"), case_text("none"), case_text(None)
+    ('Case II', 'no Case', 'the Case is open')
+    """
+    return {None: "the Case is open", "none": "no Case"}.get(case, f"Case {case}")
+
+
 def sides_of(case: str | None, beta: Exact | None) -> tuple[int | None, int | None]:
     """The signs of C_1 that lift off and that take an impact; None where the theory gives none (integer beta too)."""
     if case in ("I", "II"):

@@ -290,6 +290,13 @@ def test_text_json_and_csv() -> None:
     assert rows[0].startswith("b_lower,b_lower_exact,")
     summary, pieces = result.in_parts()
     assert {**summary, "pieces": list(map(json.loads, pieces))} == result.to_json()
+    assert "for starts at rest in the contact; epsilon_0, one for each state, is not" in summary["sides"]["rests_on"]
+    for case, words in (("I", "Case I"), ("none", "no Case"), (None, "the Case is open")):
+        sides = replace(result.sides, case=case, below=None, above=None, why="no rule")
+        text = str(replace(result, sides=sides))
+        assert f"  the G-spot: {words}, beta = " in text
+        assert text.endswith("\n  no side for small epsilon: no rule")
+        assert sides.to_json()["rests_on"] == ""
     with pytest.raises(ValueError, match="a rational in"):
         result.at(b=1)
 
