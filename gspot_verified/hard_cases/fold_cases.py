@@ -15,7 +15,6 @@ from gspot_verified.hard_cases.hard_case import (
     Case,
     HardCase,
     bits_lost,
-    double_text,
     log10,
     near,
     nearest_double,
@@ -44,44 +43,22 @@ def next_to_the_fold(k: int) -> HardCase:
             place = (4 / arb(epsilon)).root(3)
             return place**4 - 16 * place / arb(epsilon) + 6 / arb(epsilon)
 
-    asked = f"the number of zeros of F_4(T; ε), ε = 32 − 10^−{k}"
-    condition = log10(32 * fmpq(10) ** k)
-    return _count(
+    return HardCase(
         level=k,
-        asked=asked,
-        condition=condition,
+        asked=f"the number of zeros of F_4(T; ε), ε = 32 − 10^−{k}",
+        condition=log10(32 * fmpq(10) ** k),
         lost=bits_lost(least_value, 1),
         double=double,
-        zeros=zeros,
+        certified=zeros.number,
+        text=_places(zeros),
         work=zeros.digits,
         seconds=seconds,
     )
 
 
-def _count(
-    level: int,
-    asked: str,
-    condition: float,
-    lost: int | None,
-    double: float,
-    zeros: SlowZeros,
-    work: int,
-    seconds: float,
-) -> HardCase:
+def _places(zeros: SlowZeros) -> str:
     places = ", ".join(ball_text(place, 6) for place in zeros.places)
-    text = "undecided" if zeros.number is None else f"{zeros.number}: T = {places}"
-    return HardCase(
-        level=level,
-        asked=asked,
-        condition=condition,
-        lost=lost,
-        double=double,
-        double_text=double_text(double),
-        certified=zeros.number,
-        text=text,
-        work=work,
-        seconds=seconds,
-    )
+    return "undecided" if zeros.number is None else f"{zeros.number}: T = {places}"
 
 
 def next_to_the_fold_curve(k: int) -> HardCase:
@@ -89,16 +66,14 @@ def next_to_the_fold_curve(k: int) -> HardCase:
     beta = the_fold().lower - fmpq(1, 10**k)
     zeros, seconds = timed(lambda: slow_zeros(beta, FOLD_EPSILON))
     double = float(zeros_in_doubles(nearest_double(beta) - 1, 1.0))
-    asked = f"the number of zeros of F_(β−1)(T; 1), β = β_f − 10^−{k}"
-    pieces = 0 if zeros.column is None else len(zeros.column.pieces)
-    return _count(
+    return HardCase(
         level=k,
-        asked=asked,
+        asked=f"the number of zeros of F_(β−1)(T; 1), β = β_f − 10^−{k}",
         condition=log10(beta * 10**k),
-        lost=None,
         double=double,
-        zeros=zeros,
-        work=pieces,
+        certified=zeros.number,
+        text=_places(zeros),
+        work=0 if zeros.column is None else len(zeros.column.pieces),
         seconds=seconds,
     )
 

@@ -32,8 +32,8 @@ class HardCase(NoTruthValue, Written):
     ``lost``: bits that the usual formula loses in balls: the least working precision at which it answers, less the bits
     delivered (53 of a value, 1 of a sign or a number); None where that was not sought, or up to 32,768 bits do not
     suffice. ``double`` is the answer of the usual formula in double precision (None: it gave none), ``certified`` the
-    library's; ``work`` counts what it did and ``seconds`` is what it took. ``double_text`` is empty where doubles are
-    not asked.
+    library's; ``work`` counts what it did and ``seconds`` is what it took. ``double_said`` is what the usual formula says
+    where that is more than the number.
     """
 
     ask: ClassVar[str] = ".certified is None where the question stayed undecided, .double_right is True or False"
@@ -43,14 +43,21 @@ class HardCase(NoTruthValue, Written):
 
     level: int
     asked: str
-    condition: float | None
-    lost: int | None
-    double: float | None
-    double_text: str
     certified: Found
     text: str
     work: int
     seconds: float
+    condition: float | None = None
+    lost: int | None = None
+    double: float | None = None
+    double_said: str | None = None
+
+    @property
+    def double_text(self) -> str:
+        """What doubles say, for a table; empty where they are not asked."""
+        if self.double_said is not None:
+            return self.double_said
+        return "" if self.double is None else double_text(self.double)
 
     @property
     def decided(self) -> bool:

@@ -12,7 +12,6 @@ from gspot_verified.hard_cases.hard_case import (
     Case,
     HardCase,
     bits_lost,
-    double_text,
     log10,
     near,
     nearest_double,
@@ -50,7 +49,6 @@ def _value(level: int, asked: str, tau: fmpq, beta: fmpq, condition: float) -> H
         condition=condition,
         lost=lost,
         double=double,
-        double_text=double_text(double),
         certified=certified,
         text=str(evaluation),
         work=evaluation.working_bits,
@@ -77,7 +75,6 @@ def far_right(k: int) -> HardCase:
         condition=log10(_relative_slope(tau)),
         lost=lost,
         double=double,
-        double_text=double_text(double),
         certified=quotient,
         text=text,
         work=work,
@@ -98,24 +95,7 @@ def _relative_slope(tau: fmpq) -> arb:
 def next_to_a_zero(k: int) -> HardCase:
     """Theta(tau_k, 7/3) where tau_k is a zero cut to k decimals."""
     tau = zero_below(k)
-    evaluation, seconds = timed(lambda: evaluate(tau, SEVEN_THIRDS))
-    double = theta_double(nearest_double(tau), 7 / 3)
-    lost = bits_lost(lambda bits: flint_attempt(tau, SEVEN_THIRDS, bits))
-    condition = _by_tau(tau, SEVEN_THIRDS)
-    certified = evaluation.value if evaluation.reached else None
-    asked = f"Θ(τ, 7/3), τ a zero cut to {k} decimals"
-    return HardCase(
-        level=k,
-        asked=asked,
-        condition=condition,
-        lost=lost,
-        double=double,
-        double_text=double_text(double),
-        certified=certified,
-        text=str(evaluation),
-        work=evaluation.working_bits,
-        seconds=seconds,
-    )
+    return _value(k, f"Θ(τ, 7/3), τ a zero cut to {k} decimals", tau, SEVEN_THIRDS, _by_tau(tau, SEVEN_THIRDS))
 
 
 @lru_cache(maxsize=8)

@@ -9,10 +9,12 @@ can write a false result there, as into the sources: ``verify --full`` reads non
 from __future__ import annotations
 
 import hashlib
+import importlib.util
 import json
+import marshal
 import os
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +29,6 @@ from gspot_verified.paper.content_key import (
     source_files,
     source_state,
 )
-from gspot_verified.paper.stale_bytecode import stale_bytecode
 
 FORMAT = "gspot-verified ledger cache 1"
 _CHANGED = "a source file was changed after the program had begun"
@@ -130,3 +131,43 @@ def _entry(kept: Any, key: str) -> Entry:
 
 def _digest(data: Any) -> str:
     return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
+
+
+_HEADER = 16
+_HASHED, _CHECKED = 1, 2
+_SECONDS = 2
+"""A compiled file that is so much younger than the last change of its source was made from what the source holds."""
+
+
+def stale_bytecode(files: Iterable[Path]) -> Path | None:
+    """The first of these sources that Python would not run as it is; None: there is none.
+
+    Python takes a compiled file for that of every source with the same size and the same second of change, or, where it
+    was made so, without a look at the source: the key would be of other code.
+    """
+    return next((file for file in files if file.suffix == ".py" and _is_stale(file)), None)
+
+
+def _is_stale(source: Path) -> bool:
+    compiled = Path(importlib.util.cache_from_source(str(source)))
+    try:
+        data, made, now = compiled.read_bytes(), compiled.stat(), source.stat()
+    except OSError:
+        return False
+    words = [int.from_bytes(data[i : i + 4], "little") for i in range(4, _HEADER, 4)]
+    flags, second, size = words
+    if data[:4] != importlib.util.MAGIC_NUMBER:
+        return False
+    if flags & _HASHED:
+        return not flags & _CHECKED and data[8:_HEADER] != importlib.util.source_hash(source.read_bytes())
+    if (second, size) != (int(now.st_mtime) % 2**32, now.st_size % 2**32):
+        return False
+    return made.st_mtime <= now.st_ctime + _SECONDS and not _is_code_of(data[_HEADER:], source)
+
+
+def _is_code_of(compiled: bytes, source: Path) -> bool:
+    try:
+        code = compile(source.read_bytes(), str(source), "exec", dont_inherit=True)
+        return bool(marshal.loads(compiled) == code)
+    except (SyntaxError, ValueError, EOFError, TypeError):
+        return False

@@ -71,7 +71,7 @@ def test_right_wrong_and_not_compared_are_shown():
     """Made up, for what doubles answer is theirs."""
     family = next(family for family in families() if family.name == "side")
     right, wrong, none = (
-        HardCase(8, "x", 1.0, 3, d, t, 1, "1", 1, 0.1) for d, t in ((1.0, "1"), (-1.0, "-1"), (None, ""))
+        HardCase(8, "x", 1, "1", 1, 0.1, 1.0, 3, d, t) for d, t in ((1.0, "1"), (-1.0, "-1"), (None, ""))
     )
     found = Catalogue((Measured(family, (right, wrong, none)),))
     assert (right.double_right, wrong.double_right, none.double_right) == (True, False, None)
@@ -96,7 +96,7 @@ def test_the_table_fits_the_page_and_says_where_it_is_cut(catalogue: Catalogue) 
 
 def test_an_undecided_row_is_counted_and_is_no_answer():
     family = next(family for family in families() if family.name == "side")
-    row = HardCase(8, "x", 1.0, 3, 1.0, "1", None, "undecided", 1, 0.1)
+    row = HardCase(8, "x", None, "undecided", 1, 0.1, 1.0, 3, 1.0)
     measured = Measured(family, (row,))
     assert row.double_right is None
     assert measured.decided == ()

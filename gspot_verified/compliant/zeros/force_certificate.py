@@ -9,21 +9,67 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar, Literal
 
 from flint import arb, fmpq
 
 from gspot_verified.certificates.text import certificate_text, write_certificate
-from gspot_verified.compliant.zeros.force_statements import ForceStatement, LiftOffStatement
 from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.leading_order.iwc import IwcResult
 from gspot_verified.numbers.balls import approximate, hull, sign_of, working_bits
-from gspot_verified.numbers.written import Shown
+from gspot_verified.numbers.verdict import NoTruthValue
+from gspot_verified.numbers.written import Shown, Written
 from gspot_verified.signs.cover.column_models import ColumnModels
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind, cell_of
 from gspot_verified.signs.cover.tails import left_threshold
 from gspot_verified.signs.cover.zero_column import reach_of_cell, right_tail
 from gspot_verified.theta_function.value.evaluate import evaluate
 from gspot_verified.work.ranges import Range
+
+_NOT_HERE = "is what is stated; that it holds is proved elsewhere"
+
+
+@dataclass(frozen=True, slots=True)
+class ForceStatement(NoTruthValue, Written):
+    """On the slow manifold lambda > 0 for every tau of the range and every epsilon in (0, epsilon]; |F| <= level where
+    F has the sign that lowers the force."""
+
+    version: ClassVar[int] = 2
+    kind: ClassVar[Literal["force"]] = "force"
+    ask: ClassVar[str] = f".epsilon {_NOT_HERE}"
+    written: ClassVar[str] = "kind alpha=force.alphas c1=force.c1 epsilon level tau"
+
+    force: ContactForce
+    tau: Range
+    epsilon: fmpq
+    level: fmpq
+
+    def __str__(self) -> str:
+        return f"{_on_the_manifold(self.force)}, λ > 0 for every τ in {self.tau} and every ε in (0, {self.epsilon}]"
+
+
+@dataclass(frozen=True, slots=True)
+class LiftOffStatement(NoTruthValue, Written):
+    """On the slow manifold lambda < 0 at tau for every epsilon >= epsilon, so contact is lost before; |F| >= level."""
+
+    version: ClassVar[int] = 2
+    kind: ClassVar[Literal["lift_off"]] = "lift_off"
+    ask: ClassVar[str] = f".epsilon {_NOT_HERE}"
+    written: ClassVar[str] = "kind alpha=force.alphas c1=force.c1 epsilon level tau"
+
+    force: ContactForce
+    tau: fmpq
+    epsilon: fmpq
+    level: fmpq
+
+    def __str__(self) -> str:
+        return f"{_on_the_manifold(self.force)}, λ < 0 at τ = {self.tau} for every ε ≥ {self.epsilon}"
+
+
+def _on_the_manifold(force: ContactForce) -> str:
+    numbers = f"({force.alpha_1}, {force.alpha_2}, {force.alpha_3})"
+    return f"on the slow manifold of the compliant model with α = {numbers} and C1 = {force.c1}, τ = κ t ε^(-2/3)"
+
 
 _DIGITS = 12  # of values whose signs are wanted
 _LEAST_WIDTH = fmpq(1, 2**20)  # of a piece in tau; where a narrower one is needed nothing is provable

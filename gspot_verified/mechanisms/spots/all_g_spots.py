@@ -23,6 +23,7 @@ from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
 from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift, stays
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.spots.classify import classify_g_spot, sign_of_exact
 from gspot_verified.mechanisms.spots.g_spot import (
     DEFAULT_BITS,
     GSpot,
@@ -35,7 +36,6 @@ from gspot_verified.mechanisms.spots.g_spot_list import Account, GSpots, Left, P
 from gspot_verified.mechanisms.spots.search_region import Region, fixed_name, search_region
 from gspot_verified.mechanisms.spots.sign_of_p import SignOfP, sign_of_p
 from gspot_verified.mechanisms.spots.spot_conditions import Stage, TakenApart, components_of, take_apart
-from gspot_verified.mechanisms.spots.spot_order import relevant_first
 from gspot_verified.mechanisms.spots.spot_patch import find_patch
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, Zero, Zeros, ZeroSearch, clusters
 from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots
@@ -430,3 +430,18 @@ def _singular(functions: Sequence[Expression], stage: Stage, state: Sequence[arb
             )
     names = ", ".join(stage.conditions)
     return f"singular, or nearly: zeros of {names} meet here, or nearly meet, or there is none"
+
+
+def relevant_first(spots: Sequence[GSpot]) -> list[GSpot]:
+    """Cases I, II and III with u > 0, the three Cases without, those of which the case is open, the others.
+
+    Slip from p > 0 and b < 0 approaches in these Cases (paper, Sec. 1.2), and on a surface at rest it is u > 0. Within
+    each of the four groups the order is kept.
+    """
+    return sorted(spots, key=_rank)
+
+
+def _rank(spot: GSpot) -> tuple[bool, bool, bool]:
+    found = classify_g_spot(spot)
+    in_a_case = found.case in ("I", "II", "III")
+    return not in_a_case, found.case == "none", in_a_case and sign_of_exact(found.slip_velocity) != 1

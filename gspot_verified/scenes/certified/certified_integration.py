@@ -13,7 +13,8 @@ from pathlib import Path
 
 from flint import arb, fmpq
 
-from gspot_verified.numbers.balls import approximate, working_bits
+from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.numbers.balls import approximate, ball, working_bits
 from gspot_verified.numbers.evidence import at_most, every, less
 from gspot_verified.numbers.verdict import Evidence
 from gspot_verified.scenes.certified.certified_phase import CLOCK, CertifiedPhase, Open
@@ -21,10 +22,10 @@ from gspot_verified.scenes.certified.certified_phases import CertifiedPhases, Ne
 from gspot_verified.scenes.certified.certified_result import Record, event_of, growth_words, result_of
 from gspot_verified.scenes.certified.conditions import Conditions
 from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth, InvariantRegion
-from gspot_verified.scenes.certified.large_force import LargeForce
 from gspot_verified.scenes.certified.run_steps import Progress, RunSteps
 from gspot_verified.scenes.certified.segment_samples import Observer, SegmentSamples, Step
 from gspot_verified.scenes.certified.step_journal import FORMAT, StepJournal
+from gspot_verified.scenes.equations.scaled_system import ScaledSystem
 from gspot_verified.scenes.equations.terms import FLIGHT, STICK
 from gspot_verified.scenes.motions.contact_form import NotOfThisForm
 from gspot_verified.scenes.scene.run import IMPACT, RunEvent, SceneRun
@@ -350,3 +351,27 @@ class _ImpactObserver:
             return False
         self._record.stopped, self._record.ended = time, ended
         return True
+
+
+_CLOCK = "T"
+
+
+class LargeForce:
+    """The condition in one phase; nowhere in flight, nor where the scene has no ``stop_at_force``."""
+
+    def __init__(self, system: ScaledSystem, scene: Scene) -> None:
+        self._program: BoxProgram | None = None
+        if scene.stop_at_force is None or system.phase == FLIGHT:
+            return
+        values = scene.values()
+        rigid = -scene.motion.normal_acceleration(values) / scene.motion.painleve_parameter(values)
+        self._names = (*system.states, _CLOCK)
+        self._limit = ball(scene.stop_at_force) * rigid
+        self._program = BoxProgram([system.shown("p"), system.shown("lambda_N")], len(self._names))
+
+    def shown(self, states: Mapping[str, arb]) -> Evidence | None:
+        """That it holds in all of these states; None: it does not, or not certainly."""
+        if self._program is None:
+            return None
+        p, force = self._program.values([states.get(name, arb(0)) for name in self._names])
+        return every([less(p, 0), less(self._limit, force)])

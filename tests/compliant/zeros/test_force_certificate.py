@@ -14,6 +14,7 @@ from samples.strategies import to_fmpq
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.compliant.zeros.force_certificate import (
     ForceCertificate,
+    LiftOffStatement,
     NotProvable,
     _level,
     check_ratio,
@@ -21,7 +22,6 @@ from gspot_verified.compliant.zeros.force_certificate import (
     iwc_certificate,
     lift_off_certificate,
 )
-from gspot_verified.compliant.zeros.force_statements import LiftOffStatement
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.balls import working_bits

@@ -8,7 +8,7 @@ import pytest
 from flint import arb
 
 from gspot_verified.cli import main
-from gspot_verified.cost.benchmarks import mechanism, mechanism_states, mechanism_sweep
+from gspot_verified.cost.benchmarks import mechanism, mechanism_states
 from gspot_verified.cost.benchmarks.mechanism import chain, leg
 from gspot_verified.cost.times.measure import Contestant, Timing, timing
 from gspot_verified.mechanisms.input.given import lagrangian
@@ -19,9 +19,9 @@ from gspot_verified.mechanisms.spots.classify import classify
 def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mechanism, "measure", lambda contestants, _: {k: once(c) for k, c in contestants.items()})
     monkeypatch.setattr(mechanism, "_chains", lambda *_: [])
-    monkeypatch.setattr(mechanism_sweep, "CASES", (("genot_brogliato_rod", {"mu": "1.3..1.6:3"}, 3),))
+    monkeypatch.setattr(mechanism, "CASES", (("genot_brogliato_rod", {"mu": "1.3..1.6:3"}, 3),))
     monkeypatch.setattr(mechanism_states, "CASES", (("model", {"x": "0", "u": "3", "p": "1/2", "b": "-2"}),))
-    monkeypatch.setattr(mechanism_sweep, "APPROACH_ROWS", 1)
+    monkeypatch.setattr(mechanism, "APPROACH_ROWS", 1)
     steps: list[str] = []
     report = mechanism.run(progress=steps.append)
     assert len(report.rows) == 22

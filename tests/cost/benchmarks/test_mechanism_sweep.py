@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from gspot_verified.cost.benchmarks import mechanism_sweep
+from gspot_verified.cost.benchmarks import mechanism
 
 
 def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(mechanism_sweep, "CASES", (("genot_brogliato_rod", {"mu": "1.3..1.6:3"}, 3),))
-    monkeypatch.setattr(mechanism_sweep, "LONG_CASES", (("oscillator", {"beta": "9/4..5/2:2"}, 2),))
-    monkeypatch.setattr(mechanism_sweep, "TABLE_ROWS", 3)
-    monkeypatch.setattr(mechanism_sweep, "APPROACH_ROWS", 1)
+    monkeypatch.setattr(mechanism, "CASES", (("genot_brogliato_rod", {"mu": "1.3..1.6:3"}, 3),))
+    monkeypatch.setattr(mechanism, "LONG_CASES", (("oscillator", {"beta": "9/4..5/2:2"}, 2),))
+    monkeypatch.setattr(mechanism, "TABLE_ROWS", 3)
+    monkeypatch.setattr(mechanism, "APPROACH_ROWS", 1)
     steps: list[str] = []
-    short, both = mechanism_sweep.sweep_rows(progress=steps.append), mechanism_sweep.sweep_rows(full=True)
+    short, both = mechanism.sweep_rows(progress=steps.append), mechanism.sweep_rows(full=True)
     assert (len(short), len(both)) == (3, 4)
     assert all(row.figure is not None and row.figure > 0 for row in (*short, *both))
     assert "genot_brogliato_rod over mu = 1.3..1.6:3" in steps[0]
@@ -23,7 +23,7 @@ def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_cells_of_each_case_are_counted() -> None:
-    for _, over, cells in (*mechanism_sweep.CASES, *mechanism_sweep.LONG_CASES):
+    for _, over, cells in (*mechanism.CASES, *mechanism.LONG_CASES):
         product = 1
         for ends in over.values():
             product *= int(ends.partition(":")[2])

@@ -18,8 +18,7 @@ from flint import arb, fmpq
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.scenes.certified.certified_samples import midpoint_and_radius
 from gspot_verified.scenes.certified_run import certified_run
-from gspot_verified.scenes.floats.float_phase import FloatPhase
-from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.floats.float_run import FloatPhase, float_run
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.samples import Samples
 from gspot_verified.scenes.scene.scene import SceneError

@@ -20,10 +20,9 @@ from gspot_verified.mechanisms.load import load
 from gspot_verified.numbers.balls import ball_text
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators import comparison
-from gspot_verified.scenes.simulators.comparison import SimulatorComparison, simulators
+from gspot_verified.scenes.simulators.comparison import Installed, Program, SimulatorComparison, simulators
 from gspot_verified.scenes.simulators.contact_floats import contact_floats
 from gspot_verified.scenes.simulators.planar_model import PlanarModel
-from gspot_verified.scenes.simulators.programs import Installed, Program
 from gspot_verified.scenes.simulators.simulated import IMPULSE, LEAVES, NOTHING, STOPS, Happened, Simulated
 
 ROD = load("rod with a wrist")

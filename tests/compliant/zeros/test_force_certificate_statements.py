@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 from flint import fmpq
 
-from gspot_verified.compliant.zeros.force_statements import ForceStatement, LiftOffStatement
+from gspot_verified.compliant.zeros.force_certificate import ForceStatement, LiftOffStatement
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.work.ranges import Range
 

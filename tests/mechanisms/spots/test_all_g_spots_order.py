@@ -9,10 +9,9 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.mechanisms.spots import spot_order
-from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
+from gspot_verified.mechanisms.spots import all_g_spots
+from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots, relevant_first
 from gspot_verified.mechanisms.spots.classify import classify_g_spot, sign_of_exact
-from gspot_verified.mechanisms.spots.spot_order import relevant_first
 
 
 def test_cases_come_before_no_case_and_positive_slip_first() -> None:
@@ -31,7 +30,7 @@ def test_an_open_case_stands_between(monkeypatch: pytest.MonkeyPatch) -> None:
     def classified(spot: tuple[str | None, fmpq | arb]) -> SimpleNamespace:
         return SimpleNamespace(case=spot[0], slip_velocity=spot[1])
 
-    monkeypatch.setattr(spot_order, "classify_g_spot", classified)
+    monkeypatch.setattr(all_g_spots, "classify_g_spot", classified)
     right = [(case, fmpq(1)) for case in ("I", "III", "II")]
     wrong = [("II", fmpq(-1)), ("I", fmpq(0)), ("III", arb(0, 1))]
     others = [(None, fmpq(-1)), (None, fmpq(1)), ("none", fmpq(-2)), ("none", fmpq(2))]

@@ -13,14 +13,13 @@ from gspot_verified import load
 from gspot_verified.mechanisms.input.planar_links import PlanarLinks
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators import drake_engine
-from gspot_verified.scenes.simulators.comparison import EARLY, FAILED, RIGHT, WRONG, simulators
+from gspot_verified.scenes.simulators.comparison import EARLY, FAILED, MUJOCO, RIGHT, WRONG, installed, simulators
 from gspot_verified.scenes.simulators.contact_floats import contact_floats
 from gspot_verified.scenes.simulators.drake_engine import SOLVERS, DrakeEngine, spring
 from gspot_verified.scenes.simulators.engine import follow
 from gspot_verified.scenes.simulators.mujoco_engine import MujocoEngine
 from gspot_verified.scenes.simulators.planar_body import planar_model
 from gspot_verified.scenes.simulators.planar_model import PlanarModel
-from gspot_verified.scenes.simulators.programs import MUJOCO, installed
 
 START = {"X": 0, "X_dot": 5, "theta": "4/5", "theta_dot": "33/10"}
 BELT = {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}

@@ -13,7 +13,7 @@ from flint import arb, fmpq
 from gspot_verified import load, load_scene, scene_before_spot, simulate
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.scenes.certified.large_force import LargeForce
+from gspot_verified.scenes.certified.certified_integration import LargeForce
 from gspot_verified.scenes.scene.scene import Scene
 
 MODEL = load_scene("fig-varsim2", epsilon="1/10")

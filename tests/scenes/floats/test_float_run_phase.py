@@ -13,9 +13,9 @@ import scipy.integrate
 from flint import fmpq
 
 from gspot_verified.mechanisms.input.given import lagrangian
-from gspot_verified.scenes.floats import float_phase
-from gspot_verified.scenes.floats.float_phase import FloatPhase
-from gspot_verified.scenes.floats.float_run import float_run
+from gspot_verified.scenes.floats import float_run
+from gspot_verified.scenes.floats.float_run import FloatPhase
+from gspot_verified.scenes.floats.float_run import float_run as run_floats
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.scene import Scene, SceneError
 
@@ -123,22 +123,22 @@ def test_a_mechanism_that_is_pulled_ever_faster_ends_with_its_reason(
 ) -> None:
     """The rod with its contact alone: friction of forward slip goes on where slip has stopped, the surface pulls,
     and it turns ever faster: with Radau there was no answer in 90 s."""
-    monkeypatch.setattr(float_phase, "MAX_PULLING", 500)
+    monkeypatch.setattr(float_run, "MAX_PULLING", 500)
     less = load_scene("rod").with_effects(drop=("stick", "tangential_motion", "lift_off"))
     with pytest.raises(SceneError) as caught:
-        float_run(less, method, 1e-8)
+        run_floats(less, method, 1e-8)
     assert "the surface has pulled in 500 evaluations of the equations; without lift_off λ_N is supp" in str(
         caught.value
     )
     reached = float(str(caught.value).partition("t = ")[2].partition(":")[0])
     assert 0.2 < reached < 0.25
-    assert float_run(less.with_settings(until="1/5"), method, 1e-8).fate == "no event"
-    assert float_run(less.with_effects(add=["lift_off"]), method, 1e-8).fate == "lift-off"
+    assert run_floats(less.with_settings(until="1/5"), method, 1e-8).fate == "no event"
+    assert run_floats(less.with_effects(add=["lift_off"]), method, 1e-8).fate == "lift-off"
 
 
 def test_a_surface_that_pulls_for_a_while_is_no_end(monkeypatch: pytest.MonkeyPatch) -> None:
     """In flight nothing pulls, and with lift_off the surface does not."""
-    monkeypatch.setattr(float_phase, "MAX_PULLING", 0)
-    assert float_run(load_scene("fig-varsim1", nu=2), "LSODA", 1e-8).events[0].name == "lift-off"
+    monkeypatch.setattr(float_run, "MAX_PULLING", 0)
+    assert run_floats(load_scene("fig-varsim1", nu=2), "LSODA", 1e-8).events[0].name == "lift-off"
     with pytest.raises(SceneError, match="the float run ended in slip at t = "):
-        float_run(load_scene("fig-varsim1", nu=2).with_effects(drop=["lift_off"], until=1), "LSODA", 1e-8)
+        run_floats(load_scene("fig-varsim1", nu=2).with_effects(drop=["lift_off"], until=1), "LSODA", 1e-8)
