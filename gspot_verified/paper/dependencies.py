@@ -23,9 +23,9 @@ class Dependencies(Written):
 def dependencies(entry: Entry, identifiers: Sequence[str]) -> Dependencies:
     """What the entry's checks name, and which of the given identifiers its condition and its note name besides.
 
-    >>> from gspot_verified.paper.checks.entry import Check, Rung, settled
+    >>> from gspot_verified.paper.checks.entry import Check, Rung, Section
     >>> check = Check(Rung.PAGE, "proofs/signs.md: as in S-zero", True)
-    >>> found = dependencies(settled("Section 1", "1-beta", "line 1", "x", "y", check), ["1-beta", "S-zero"])
+    >>> found = dependencies(Section("Section 1").settled("1-beta", "line 1", "x", "y", check), ["1-beta", "S-zero"])
     >>> found.pages, found.entries, found.see_also
     (('signs',), ('S-zero',), ())
     """

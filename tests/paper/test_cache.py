@@ -20,13 +20,13 @@ from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper import cache as cache_module
 from gspot_verified.paper import verify
 from gspot_verified.paper.cache import Cache, default_folder, stale_bytecode
-from gspot_verified.paper.checks.entry import Check, Entry, Rung, conclude, settled
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, Section, conclude
 from gspot_verified.paper.verify import verify_claims, verify_paper
 
 
 def entry(identifier: str, *answers: bool | None, names: str = "") -> Entry:
     checks = [Check(Rung.EXACT, f"check {n} {names}", agrees, "it") for n, agrees in enumerate(answers)]
-    return settled("Section", identifier, "line 1", "x", "statement", *checks, corrected="c", note="n")
+    return Section("Section").settled(identifier, "line 1", "x", "statement", *checks, corrected="c", note="n")
 
 
 PROVED, REFUTED, OPEN = entry("a", True, True), entry("b", False, False), entry("c", True)
@@ -264,7 +264,7 @@ import sys, time
 from pathlib import Path
 from gspot_verified.paper import verify
 from gspot_verified.paper.cache import Cache
-from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Rung, Section
 
 def build(name):
     def made():
@@ -272,7 +272,7 @@ def build(name):
             print("waiting", flush=True)
             time.sleep(600)
         checks = [Check(Rung.EXACT, f"check {n}", True) for n in range(2)]
-        return settled("Section", name, "line 1", "x", "statement", *checks)
+        return Section("Section").settled(name, "line 1", "x", "statement", *checks)
     return made
 
 verify.PARTS = {"part": {name: build(name) for name in ("first", "second")}}

@@ -1,12 +1,12 @@
 """What an entry names is read from its own texts."""
 
-from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Rung, Section
 from gspot_verified.paper.dependencies import dependencies
 
 
 def entry(*whats, note="", corrected=""):
     checks = [Check(Rung.EXACT, what, True, "by box.md") for what in whats]
-    return settled("Section 4", "4-fast", "line 986", "x", "s", *checks, note=note, corrected=corrected)
+    return Section("Section 4").settled("4-fast", "line 986", "x", "s", *checks, note=note, corrected=corrected)
 
 
 def test_pages_certificates_and_entries():

@@ -13,7 +13,7 @@ from paper.refuted import REFUTED
 from paper.tables import TABLES, table
 
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, Section
 from gspot_verified.paper.verify import PARTS
 
 _CACHED = type(lru_cache(len))
@@ -92,7 +92,7 @@ def test_every_part_of_the_paper_has_a_table_or_is_pending() -> None:
 def _toy(what: SimpleNamespace) -> Entry:
     agrees = what.formula == "2*x"
     checks = [Check(Rung.EXACT, "a", agrees, "f"), Check(Rung.EXACT, "b", agrees if what.looks else True, "f")]
-    return settled("Section", "toy", "eq", "2x", "toy", *checks)
+    return Section("Section").settled("toy", "eq", "2x", "toy", *checks)
 
 
 def test_a_bite_that_goes_unnoticed_is_found() -> None:

@@ -11,14 +11,14 @@ import pytest
 
 from gspot_verified.paper import verify
 from gspot_verified.paper.cache import Cache
-from gspot_verified.paper.checks.entry import Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, Section
 from gspot_verified.work.executors import executor
 
 
 def toy(*answers: bool) -> Entry:
     """A proved, refuted or undecided entry."""
     checks = [Check(Rung.EXACT, f"check {n}", agrees) for n, agrees in enumerate(answers)]
-    return settled("Section", "identifier", "line 1", "x", "statement", *checks)
+    return Section("Section").settled("identifier", "line 1", "x", "statement", *checks)
 
 
 PROVED, REFUTED, OPEN = toy(True, True), toy(False, False), toy(True)

@@ -12,14 +12,14 @@ from gspot_verified.paper.appendix_a import asymptotic_errors as errors
 from gspot_verified.paper.appendix_a import hypergeometric as printed
 from gspot_verified.paper.appendix_a.theta_pages import INITIAL_VALUES, LAPLACE, MOMENT, NEGATIVE, POWER
 from gspot_verified.paper.checks.closed_forms import ClosedForm
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, put
 from gspot_verified.paper.checks.identities import in_greek
 from gspot_verified.theta_function.gamma.initial_values import initial_values
 from gspot_verified.theta_function.value.asymptotic_coefficients import coefficient, coefficient_by_inversion
 from gspot_verified.theta_function.value.routes import theta_by
 
-SECTION = "Appendix A"
+SECTION = Section("Appendix A")
 BETAS = tuple(fmpq(n, 20) for n in (-104, -34, -6, 1, 6, 10, 19, 30, 38, 50, 66, 94, 122))
 COEFFICIENTS = 8
 
@@ -34,8 +34,7 @@ def _general_solution() -> Entry:
         )
         for tau, beta in points
     )
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "A-th3",
         "th:3, eq:btau",
         r"\theta=\theta(0)\,{}_1F_2(-\tfrac\beta3;\tfrac13,\tfrac23;\tfrac{\tau^3}9)+\ldots",
@@ -45,7 +44,7 @@ def _general_solution() -> Entry:
             "index; the first terms are 1, τ, τ^2/2, so the initial values are unit vectors (proofs/connection.md)",
             lambda forms: [part for j in range(3) for part in (_term_quotient(j, forms), _first_term(j, forms))],
         ),
-        Check(Rung.POINTS, f"three FLINT 1F2 against the Laplace integral at {len(points)} points", agrees),
+        Rung.POINTS.check(f"three FLINT 1F2 against the Laplace integral at {len(points)} points", agrees),
     )
 
 
@@ -65,19 +64,17 @@ def _coefficients() -> Entry:
     dlmf = [printed.dlmf_coefficients(j, COEFFICIENTS) for j in range(3)]
     by_equation = [coefficient(k) for k in range(COEFFICIENTS)]
     by_inversion = [coefficient_by_inversion(k) for k in range(COEFFICIENTS)]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "A-coefficients",
         "eq:eier, eq:cisdef",
         r"c_0=1,\quad c_k \text{ from DLMF 16.11.4}",
         f"c_0 = 1, and DLMF 16.11.4 gives the same c_k(β) for the three functions (exactly, k < {COEFFICIENTS})",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "DLMF 16.11.4 for each 1F2 against the differential equation, as polynomials in β",
             all(row == by_equation for row in dlmf) and by_equation[0] == fmpq_poly([1]),
             f"c_1 = {by_equation[1]} (x is β)",
         ),
-        Check(Rung.EXACT, "Lagrange inversion at the saddle point, as polynomials in β", by_inversion == by_equation),
+        Rung.EXACT.check("Lagrange inversion at the saddle point, as polynomials in β", by_inversion == by_equation),
         note="For every k: proofs/asymptotic_coefficients.md, with DLMF 16.11.8. In numbers for any k: "
         "theta_function.asymptotic_coefficients.",
     )
@@ -92,8 +89,7 @@ def _cancellation() -> Entry:
             weights = [(printed.value_of(printed.SMALL[f"e {j}"], beta, 256), _weight(part, j, beta)) for j in range(3)]
             with working_bits(256):
                 answers.append(_is_zero(sum((v * w[0] * w[1] for v, w in zip(values, weights, strict=True)), arb(0))))
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "A-cancellation",
         "line 2446",
         r"\text{the coefficients of } e_r, e_i \text{ vanish}",
@@ -107,10 +103,8 @@ def _cancellation() -> Entry:
                 lambda forms: [form / _page_initial_value(j) for j, form in enumerate(forms.values())],
             ),
         ),
-        Check(
-            Rung.POINTS,
-            f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of β",
-            all_of(answers),
+        Rung.POINTS.check(
+            f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of β", all_of(answers)
         ),
     )
 
@@ -150,8 +144,7 @@ def _initial_value(j: int) -> Entry:
     ]
     at_integers = [(printed.value_of(entire, fmpq(n), 256), initial_values(fmpq(n), 256)[j]) for n in range(-4, 9)]
     derivative = (r"\Theta(0)", r"\Theta'(0)", r"\Theta''(0)")[j]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         f"A-{label}",
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
@@ -169,8 +162,7 @@ def _initial_value(j: int) -> Entry:
                 lambda forms: [forms["entire"] / forms["printed"]],
             ),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"printed and entire form against the library's values at {len(BETAS)} values of β, the entire form "
             "also at the integers from -4 to 8",
             all_of(
@@ -188,8 +180,7 @@ def _initial_value(j: int) -> Entry:
 def _leading_behaviour() -> Entry:
     claim = FormulaClaim(printed.THETA)
     points = [(x, beta) for x in (fmpq(20), fmpq(80)) for beta in BETAS]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "A-leading",
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
@@ -209,8 +200,7 @@ def _leading_behaviour() -> Entry:
                 ],
             ),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"three terms against the Laplace integral at {len(points)} points",
             all_of(errors.power_series_within(x, beta) for x, beta in points),
         ),

@@ -21,11 +21,11 @@ from gspot_verified.paper.appendix_a.theta_pages import (
     SADDLE,
 )
 from gspot_verified.paper.checks.closed_forms import ALGEBRA, ClosedForm
-from gspot_verified.paper.checks.entry import Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, mended, put, quotient
 from gspot_verified.paper.checks.identities import in_greek
 
-SECTION = "Appendix A"
+SECTION = Section("Appendix A")
 EXCEPTIONS: dict[str, str] = {"0": "3*m", "1": "1+3*m", "2": "2+3*m"}
 """The β = j + 3m, m = 0, 1, 2, ..., at which formula j + 1 of th:5 fails."""
 CITED = "which is cited and not proved here"
@@ -63,8 +63,7 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
     """Formula j + 1 of th:4."""
     claim = FormulaClaim(printed.SMALL)
     checked = [(x, beta) for x in (fmpq(30), fmpq(60)) for beta in betas]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         f"A-{SMALL_NAMES[j]}",
         f"th:4, eq:{SMALL_NAMES[j]}",
         _SMALL_SOURCE[j],
@@ -77,8 +76,7 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
             ),
         ),
         every_coefficient("e"),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"4 terms of e_r + i e_i and 9 of h at {len(checked)} points: the error is at most twice the "
             "first omitted terms",
             all_of(errors.small_error_within(j, x, beta) for x, beta in checked),
@@ -117,8 +115,7 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
     tried = [*betas, *_allowed_integers(j), fmpq(-1), fmpq(-2), fmpq(-3)]
     points = [(tau, beta) for tau in (fmpq(30), fmpq(60)) for beta in tried] if betas else []
     left = (r"{}_1F_2", r"\tau\,{}_1F_2", r"\tfrac{\tau^2}2{}_1F_2")[j]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         f"A-{LARGE_NAMES[j]}",
         f"th:5, eq:{LARGE_NAMES[j]}",
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
@@ -138,8 +135,7 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
             ),
         ),
         every_coefficient("e_1"),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"4 terms of e_1 at {len(points)} points, integers β among them: the error is at most twice the first "
             "omitted term",
             all_of(errors.large_error_within(j, tau, beta) for tau, beta in points),
@@ -180,21 +176,18 @@ def _allowed_integers(j: int) -> list[fmpq]:
 
 def large_condition() -> Entry:
     """That th:5 states no condition on β; where it fails, exactly."""
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "A-th5-condition",
         "th:5",
         r"\text{(no condition on } \beta \text{)}",
         "The three formulas of th:5 hold for every β, as printed without a condition",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "β = j + 3m, for all m: the right side has the factor 1/Γ(-m) = 0; the recurrence's factor k - β is 0 at "
             "k = j + 3m, so the left side is a polynomial that begins with τ^j/j!",
             False if all(_vanishes(j) for j in range(3)) else None,
             "β = 0: the left side of blarge1 is 1, the right side is 0",
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             f"FLINT's 1F2 and the right sides at τ = 30, β = j, j + 3, ..., {TRIED} for each formula",
             mended(*_at_exceptions()),
             f"at β = 0: left {ball_text(printed.fundamental_solution(0, fmpq(30), fmpq(0), 128))}, right "
@@ -237,8 +230,7 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
     """Eq. tlarge."""
     claim = FormulaClaim(printed.THETA)
     points = [(tau, beta) for tau in (fmpq(40), fmpq(90)) for beta in betas]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "A-tlarge",
         "eq:tlarge",
         r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
@@ -266,8 +258,7 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
             ),
         ),
         every_coefficient("e_1"),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"4 terms against the Taylor series at {len(points)} points: the error is at most twice the first "
             "omitted term, and the leading form agrees with the first term",
             all_of(all_of([errors.theta_error_within(tau, beta), _leading_agrees(tau, beta)]) for tau, beta in points),

@@ -37,6 +37,10 @@ class Rung(ByName):
         """Two to six words for a table."""
         return _SHORT[self]
 
+    def check(self, what: str, agrees: bool | None, finding: str = "") -> Check:
+        """A check on this rung."""
+        return Check(self, what, agrees, finding)
+
 
 _SHORT = {
     Rung.FORMAL: "formal proof",
@@ -220,33 +224,42 @@ def conclude(statement: str, checks: Sequence[Check], witness: str = "") -> Verd
     return Verdict.undecided(statement, Reason.NO_ROUTE, detail)
 
 
-def settled(
-    section: str,
-    identifier: str,
-    label: str,
-    source: str,
-    statement: str,
-    *checks: Check,
-    corrected: str = "",
-    note: str = "",
-) -> Entry:
-    """An entry with the verdict that its checks support; labels of equations in its texts become printed numbers."""
-    statement, corrected, note = (with_printed_numbers(text) for text in (statement, corrected, note))
-    checks = tuple(
-        replace(check, what=with_printed_numbers(check.what), finding=with_printed_numbers(check.finding))
-        for check in checks
-    )
-    return Entry(
-        identifier=identifier,
-        label=label,
-        section=section,
-        source=source,
-        statement=statement,
-        checks=checks,
-        verdict=conclude(statement, checks),
-        corrected=corrected,
-        note=note,
-    )
+class Section(str):
+    """A section of the paper, as its entries name it.
+
+    >>> Section("Section 2").settled("2-x", "line 1", "x", "y", Rung.EXACT.check("z", None)).section
+    'Section 2'
+    """
+
+    __slots__ = ()
+
+    def settled(
+        self,
+        identifier: str,
+        label: str,
+        source: str,
+        statement: str,
+        *checks: Check,
+        corrected: str = "",
+        note: str = "",
+    ) -> Entry:
+        """An entry with the verdict that its checks support; labels of equations become printed numbers."""
+        statement, corrected, note = (with_printed_numbers(text) for text in (statement, corrected, note))
+        checks = tuple(
+            replace(check, what=with_printed_numbers(check.what), finding=with_printed_numbers(check.finding))
+            for check in checks
+        )
+        return Entry(
+            identifier=identifier,
+            label=label,
+            section=str(self),
+            source=source,
+            statement=statement,
+            checks=checks,
+            verdict=conclude(statement, checks),
+            corrected=corrected,
+            note=note,
+        )
 
 
 def counts(entries: Sequence[Entry]) -> dict[str, int]:

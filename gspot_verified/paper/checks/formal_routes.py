@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from gspot_verified.paper.checks.entry import Check, Entry, Rung, conclude
+from gspot_verified.paper.checks.entry import Entry, Rung, conclude
 from gspot_verified.paper.checks.formal_proof import COQ, ProofRun, formal_proof
 
 CARRIED: dict[str, tuple[str, ...]] = {
@@ -46,5 +46,5 @@ def with_formal_proof(entry: Entry, proofs: ProofRun, coq: Path = COQ) -> Entry:
     if not proof.run:
         return replace(entry, formal=proof)
     what = "; ".join(f"proofs/coq/{file}: {name}" for name, _, file in proof.theorems)
-    checks = (*entry.checks, Check(Rung.FORMAL, what, contradicted is None, finding))
+    checks = (*entry.checks, Rung.FORMAL.check(what, contradicted is None, finding))
     return replace(entry, checks=checks, verdict=conclude(entry.statement, checks), formal=proof)

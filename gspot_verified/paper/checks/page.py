@@ -51,7 +51,7 @@ class Page:
     def _on_page(self, what: str, agrees: bool | None, finding: str) -> Check:
         if all_of(self._answers()) is not True:
             agrees, finding = None, self._open()
-        return Check(Rung.PAGE, f"{self.path}: {what}", agrees, finding)
+        return Rung.PAGE.check(f"{self.path}: {what}", agrees, finding)
 
     def _answers(self) -> list[bool | None]:
         return [step() for step in self.steps]

@@ -43,4 +43,4 @@ def agree(label: str, first: Place, second: Place) -> bool | None:
 def held_against(label: str, what: str, first: Place, second: Place) -> Check:
     """The check that two places say the same of one thing, with their words as its finding."""
     finding = f"{first.name}: {said(label, first)}; {second.name}: {said(label, second)}"
-    return Check(Rung.EXACT, what, agree(label, first, second), finding)
+    return Rung.EXACT.check(what, agree(label, first, second), finding)

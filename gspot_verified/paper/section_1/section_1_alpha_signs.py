@@ -11,11 +11,11 @@ from itertools import product
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.section_2 import lagrangian
 
-SECTION = "Section 1"
+SECTION = Section("Section 1")
 ALGEBRA = Algebra("X Y C S U V w t c s mu h kappa")
 _SYMBOLS = ALGEBRA.symbols
 CONTACT = {"x": "X + c*C - s*S", "y": "Y + c*S + s*C"}
@@ -140,21 +140,18 @@ def every_combination_by_the_example() -> bool | None:
 
 def _alpha_signs() -> Entry:
     values = "; ".join(", ".join(str(row[name]) for name in ALPHAS) for row in bodies())
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-alpha-signs",
         "lines 257 to 258",
         r"(\operatorname{sgn}\alpha_1,\operatorname{sgn}\alpha_2,\operatorname{sgn}\alpha_3)\in\{-1,1\}^3",
         "Each of the eight combinations of signs of α_1, α_2, α_3 occurs at a G-spot in positive slip",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "Lie derivatives of a rigid body with one contact point and a vertical force h + κ t: eight G-spots, "
             "for two shapes with their μ, two turning velocities and two κ; the same α's by hand",
             all_of([by_hand(), every_combination_by_bodies()]) or None,  # other bodies may show what these do not
             f"α_1, α_2, α_3: {values}",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "Lie derivatives of the extended example (Sec. 2) at its G-spot, with 1 and -1 for each of its constants",
             every_combination_by_the_example() or None,
         ),

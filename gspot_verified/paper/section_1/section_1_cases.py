@@ -11,10 +11,10 @@ from functools import partial
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
-SECTION = "Section 1"
+SECTION = Section("Section 1")
 ALGEBRA = Algebra("u w m n q x r c p b alpha1 alpha2 alpha3")
 _SYMBOLS = ALGEBRA.symbols
 CASES: dict[str, dict[str, str]] = {
@@ -114,20 +114,17 @@ def is_stable(name: str) -> bool | None:
 
 
 def _case(name: str) -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         name,
         LINES[name],
         r"p/b\to0,\ \lambda_N\to\infty" if GROWS[name] else r"\lambda_N\to\alpha_2/(\alpha_3-\alpha_1)",
         f"Case {name.rpartition('-')[2]}, rigid slip with constant α's: {WHO[name]} stays in slip and reaches the "
         f"G-spot in finite time, and {ENDS[name]}",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the solution b = c p + (b(0) - c p(0)) e^(α_3 s) of Gspot1, Gspot2, c = α_2/(α_1 - α_3), for all values",
             all_of([solves(name), stays_and_ends(name), reaches(CASES[name])]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the equation λ_N' = -α_2 + (α_3 - α_1) λ_N of the force: its sign, or its one stable point; the trace and "
             "the determinant of Gspot1, Gspot2",
             all_of([force_moves(name), is_stable(name)]),

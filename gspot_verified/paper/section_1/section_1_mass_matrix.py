@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
-SECTION = "Section 1"
+SECTION = Section("Section 1")
 ALGEBRA = Algebra("A B C a h k t1 t2 t3 n1 n2 n3 m11 m12 m13 m22 m23 m33")
 _SYMBOLS = ALGEBRA.symbols
 GRAM = {"A": ("t", "t"), "B": ("t", "n"), "C": ("n", "n")}
@@ -105,28 +105,24 @@ def by_the_mass_matrix(dimension: int) -> bool | None:
 
 
 def _mass_matrix() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-mass-matrix",
         "lines 149 to 152",
         r"A>0,\quad C>0,\quad AC-B^2>0",
         "For every positive definite mass matrix, of any size, A, C and AC - B² are positive where the gradients of "
         "the tangential and of the normal coordinate of the contact point are linearly independent; where they are "
         "not, AC - B² is 0",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "n = k t + h, h orthogonal to t in the inner product of the inverse mass matrix: A = <t, t>, "
             "C = k² A + <h, h>, AC - B² = A <h, h>",
             all_of([positive_by_projection(), vanishes_if_dependent()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "where the mass matrix is the identity: A and C are sums of squares, and AC - B² that of the minors "
             "t_i n_j - t_j n_i, pair by pair in any dimension",
             all_of([squares_of_length(), sum_of_squares()]),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "with 2 and 3 degrees of freedom and every mass matrix M: (AC - B²) det M is the square of the minor, and "
             "the form of M at the cross product of t and n",
             all_of(by_the_mass_matrix(dimension) for dimension in MASS),

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
-SECTION = "Section 1"
+SECTION = Section("Section 1")
 ALGEBRA = Algebra("p b l x n s u r A B C D mu P T")
 _SYMBOLS = ALGEBRA.symbols
 ACCELERATION = "b + p*l"
@@ -87,21 +87,18 @@ def motions_as_claimed() -> bool | None:
 
 
 def _negative_p() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-negative-p",
         "lines 176 to 181",
         r"p<0:\quad\lambda_N=-b/p>0\iff b>0",
         "For every p < 0 contact in positive slip has a positive force exactly for b > 0; lift-off from y = v = 0 is "
         "possible for b > 0 as well, and is not for b < 0 (b continuous)",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "dv/dt = b + p λ_N = 0 solved for b and for λ_N, by positive symbols; free motion from y = v = 0 has "
             "y = (b/2 + o(1)) s² a time s later",
             all_of([force_needs_positive_b(), positive_b_gives_a_force(), flight_leaves()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "λ_N >= 0, dv/dt >= 0, λ_N dv/dt = 0: with λ_N in units of |b/p| the solutions are 0 and 1 for b > 0, and "
             "none for b < 0",
             motions_as_claimed(),
@@ -167,22 +164,19 @@ def the_same_impulse() -> bool | None:
 
 
 def _impact_from_rest() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-impact-without-collision",
         "lines 231 to 234",
         r"p<0:\quad v^-=0\ \text{can begin an impact}",
         "Rigid impact with Coulomb friction, A, B, C, μ constant: for every p < 0 and every u > 0 there is an impact "
         "with v = 0 at its start: v < 0 in slip until u = 0, and then v rises in stick until it is 0 again at the end "
         "of compression",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "along the normal impulse: dv/dP = p < 0 and du/dP = B - μA < 0 in slip; in stick (|B| < μA) "
             "A dv/dP = AC - B² > 0",
             all_of([compresses_in_slip(), decompresses_in_stick()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the impulses of the whole compression, B u and -C u over AC - B², stop the slip and give back v = 0; "
             "they lie in the cone of friction exactly for p <= 0, since μ P - |T| = -p u/(AC - B²)",
             all_of([impulses_of_the_compression(), the_same_impulse()]),
@@ -250,21 +244,18 @@ def sizes_near_the_g_spot() -> bool | None:
 
 
 def _sizes() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-impact-sizes",
         "lines 369 to 374",
         r"p<0:\quad u:\ u\to0,\qquad v^+=rBu/A\ \text{or}\ (v^+)^2=-pr^2Bu^2/(A(\mu A-B))",
         "A rigid impact without collision (v = 0, u > 0 and p < 0 at first, A, B, C, μ constant) stops the slip, and v "
         "falls to p u/(μA - B), which tends to 0 with p; at its end v is r B u/A by Poisson's law, more than r C "
         "u/(μA) for every p < 0, and by the energetic law v² is -p r² B u²/(A (μA - B)), which tends to 0 with p",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), sizes_near_the_g_spot()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "from the impulse B u/(AC - B²) of the whole compression and its share in stick; its work is that of a "
             "triangle",
             all_of([impulses_of_the_compression(), sizes_by_the_whole_impulse(), sizes_near_the_g_spot()]),
@@ -282,20 +273,17 @@ def quotient_has_the_limit() -> bool | None:
 
 
 def _laws() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-laws-of-impact",
         "lines 209, 369 to 374",
         r"p\to0:\quad(v^+)^2\text{ by the energetic law over }(v^+)^2\text{ by Poisson's law}\to0",
         "For a rigid impact without collision, A, B, C, μ constant, p < 0, the energetic law of restitution and "
         "Poisson's differ in the limit p → 0: the quotient of the two squares of v at the end tends to 0",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), quotient_has_the_limit()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "from the impulse of the whole compression and its share in stick",
             all_of([impulses_of_the_compression(), sizes_by_the_whole_impulse(), quotient_has_the_limit()]),
         ),

@@ -10,11 +10,11 @@ from itertools import product
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.section_1.section_1_cases import CASES, RATES, is_stable, reaches
 
-SECTION = "Section 1"
+SECTION = Section("Section 1")
 ALGEBRA = Algebra("p b c K q s E lam alpha1 alpha2 alpha3 u w m r")
 _SYMBOLS = ALGEBRA.symbols
 SIGNS = (1, -1)
@@ -113,23 +113,20 @@ def time_is_an_exponential() -> bool | None:
 
 
 def _outcomes() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-three-outcomes",
         "lines 261 to 265",
         r"\text{from slip there are three outcomes: it leaves, it lifts off, it reaches the G-spot}",
         "Rigid slip with constant α's, α_1 α_3 not 0: from p > 0, b < 0 the state leaves every bounded set with "
         "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot, which it does in a finite time t; in Cases I, "
         "II and III it does not leave",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever; t",
             all_of(
                 [ends_by_the_solution(), p_is_an_exponential(), time_is_an_exponential(), none_leaves_in_the_cases()]
             ),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the eigenvalues of the flow are α_1 and α_3: no bounded state but those that tend to the origin; dp/dt is "
             "α_1; in the Cases both are negative, by the trace and the determinant",
             all_of([bounded_states_go_to_the_g_spot(), in_finite_time(), *map(is_stable, CASES)]),
@@ -140,15 +137,14 @@ def _outcomes() -> Entry:
 
 
 def _rescaled_time() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-rescaled-time",
         "lines 1000 to 1003",
         r"\text{the system can only be defined for }p>0",
         "In the time of eq. time_rescale a state with p > 0 has p > 0 for ever: the rescaled system says nothing "
         "beyond the G-spot; its formulas are defined for p < 0 too, where that time runs backwards",
-        Check(Rung.EXACT, "Gspot1: the rate of p is a multiple of p, a polynomial", keeps_the_sign_of_p()),
-        Check(Rung.EXACT, "p = p(0) e^(α_1 s) for every p(0): it has the sign of p(0)", p_is_an_exponential()),
+        Rung.EXACT.check("Gspot1: the rate of p is a multiple of p, a polynomial", keeps_the_sign_of_p()),
+        Rung.EXACT.check("p = p(0) e^(α_1 s) for every p(0): it has the sign of p(0)", p_is_an_exponential()),
     )
 
 
@@ -181,20 +177,17 @@ def others_are_cases() -> bool | None:
 
 
 def _attracting() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-attracting-signs",
         "lines 269 to 273",
         r"\text{the third possibility can only occur under specific sign combinations: Cases I, II, III}",
         "Rigid slip with constant α's, none of them 0, α_1 ≠ α_3: outside Cases I, II and III no state of slip "
         "reaches the G-spot, but for those of one line (α_1 < 0 < α_3 and α_2 > 0)",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "states off the line leave unless α_1, α_3 < 0; there λ_N' < -α_2 in the fourth one: lift-off",
             all_of([solutions_are_right(), others_are_cases(), fourth_lifts_off()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "states off the line leave unless α_1, α_3 < 0; the line that they approach has b > 0 in the fourth",
             all_of([solutions_are_right(), others_are_cases(), fourth_goes_above()]),
         ),

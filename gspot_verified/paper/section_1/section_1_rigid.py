@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
-SECTION = "Section 1"
+SECTION = Section("Section 1")
 ALGEBRA = Algebra("b p q lam lamT mu A B C alpha1 alpha2 alpha3")
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
@@ -45,8 +45,7 @@ def _force() -> Entry:
         inertia, push = c * a - b * b, determinant * (b * friction + c)
         return [inertia * parts["p"] - push, parts["p times the force"] + _SYMBOLS["b"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-force",
         "lines 168 to 170",
         r"\lambda_N=-b/p,\quad p=C-\mu B",
@@ -78,8 +77,7 @@ def _rescaled() -> Entry:
         slopes = {name: ALGEBRA.substitute(parts[name], images) for name in ("p", "b")}
         return [slopes["b"] * rates["p"] - slopes["p"] * rates["b"], slopes["p"] - _SYMBOLS["p"] * rates["p"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-rescaled",
         "eqs. Gspot1 and Gspot2",
         r"\frac{dp}{d\hat s}=\alpha_1p,\quad\frac{db}{d\hat s}=\alpha_2p+\alpha_3b",

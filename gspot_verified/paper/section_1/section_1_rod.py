@@ -12,7 +12,7 @@ from flint import fmpq, fmpq_mpoly
 
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.classify import classify
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
 ALGEBRA = Algebra("C S w mu lam q x")
@@ -136,20 +136,17 @@ def _rod() -> Entry:
         "their signs": signs_of_case_ii(),
         "one place": all_of([friction_is_that_of_p(), friction_rises()]),
     }
-    return settled(
-        "Section 1",
+    return Section("Section 1").settled(
         "1-rod",
         "lines 305 to 306",
         r"\text{the classical falling rod problem is in Case II}",
         "The falling rod of Génot and Brogliato, length 1, in positive slip with its angle rising: for "
         "every μ > 8/(3 sqrt 3) there is one place with cos² > 3/7 where p = b = 0, and it is in Case II",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "b, p and the α's by the rod's geometry; their signs by positive symbols; μ at p = 0 rises with cos²",
             all_of(steps.values()),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"the library's own derivation and the G-spot in balls, μ = {', '.join(map(str, AT))}",
             all_of(classified(friction) for friction in AT),
         ),

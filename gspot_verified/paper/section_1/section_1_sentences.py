@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.words import Place, held_against
 from gspot_verified.paper.section_1 import section_1_negative_p
 from gspot_verified.paper.section_2.section_2_contact import CONSTANTS
 
-SECTION = "Section 1"
+SECTION = Section("Section 1")
 ALGEBRA = Algebra("r P s A B C mu p T dP a b lamT lam u m k x")
 _SYMBOLS = ALGEBRA.symbols
 STIFFNESS = {"printed": 2, "corrected": -2}
@@ -64,11 +64,10 @@ def deformation_vanishes(power: int) -> bool | None:
 
 def _stiffness() -> Entry:
     def check(what: str, holds: list[bool | None], finding: str) -> Check:
-        return Check(Rung.EXACT, what, mended(*holds), finding)
+        return Rung.EXACT.check(what, mended(*holds), finding)
 
     powers = (STIFFNESS["printed"], STIFFNESS["corrected"])
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-stiffness",
         "lines 332 to 335",
         r"\text{stiffness scales like }\epsilon^2",
@@ -104,20 +103,17 @@ def leaves(form: str) -> bool | None:
 
 def _poisson() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-poisson",
         "lines 206 to 208",
         r"\text{the normal impulse in restitution is }-r\text{ times that in compression}",
         "Poisson's impact law: the normal impulse in restitution is -r times that in compression, r > 0",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the normal impulse is an integral of λ_N >= 0 (line 153), in both phases",
             mended(*map(impulse_is_positive, forms)),
             "-r times a positive impulse is negative",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "v⁺ >= 0 (line 199): v rises from 0 with the impulse of the restitution",
             mended(*map(leaves, forms)),
             "v⁺ = -r s P < 0: the contact point would end inside the surface",
@@ -129,8 +125,7 @@ def _poisson() -> Entry:
 
 
 def _colours() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-colours",
         COLOURS,
         r"\text{dashed red line in Figs. 3 and 4}",
@@ -145,8 +140,7 @@ def _colours() -> Entry:
 
 
 def _scalars() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-scalars",
         SCALARS,
         r"a,\ b,\ A,\ B,\ C,\ D\ \text{are scalars}",
@@ -187,21 +181,15 @@ def factor_is_not_zero() -> bool | None:
 
 
 def _slope() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-impact-slope",
         "lines 210 to 214 and 320 to 322",
         r"\frac{dv}{du}=\frac{p}{B-\mu A}",
         "Rigid impact, forces other than those of contact left out: in positive slip dv/du = p/(B - μA), where A, B, "
         "C, μ depend on the configuration alone and so are constant in the impact: a straight line whose slope is "
         "proportional to p; B - μA is negative for p <= 0 and for small p > 0",
-        Check(
-            Rung.EXACT,
-            "dv/dP over du/dP, P the normal impulse",
-            all_of([slope_by_rates(), factor_is_not_zero()]),
-        ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check("dv/dP over du/dP, P the normal impulse", all_of([slope_by_rates(), factor_is_not_zero()])),
+        Rung.EXACT.check(
             "the changes of v and u by a normal impulse with the tangential one at the bound of friction",
             all_of([slope_by_impulses(), factor_is_not_zero()]),
         ),
@@ -251,21 +239,18 @@ def rises_in_stick() -> bool | None:
 
 
 def _ends() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-impact-ends",
         "lines 226 to 227",
         r"\text{one initial condition lifts off in slip, the other (with smaller initial }u)\text{ in stick}",
         "Rigid impact with p > 0 and 0 < B < μA, v = -m < 0 and u > 0 at first, Poisson's law with r > 0: it lifts off "
         "in slip where p u is above (μA - B)(1 + r) m, and in stick where it is below; so where of two impacts with "
         "the same v one lifts off in slip and one in stick, the one in stick has the smaller u",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "along the normal impulse: v and u at the end of slip; v rises in stick",
             all_of([slips_to_the_end(), rises_in_stick()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "from the whole impulses of the impact; v rises in stick",
             all_of([slips_by_the_impulses(), rises_in_stick()]),
         ),
@@ -305,18 +290,15 @@ def negative_slip_is_positive_slip() -> bool | None:
 
 
 def _mirror() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "1-mirror",
         "lines 172 to 175",
         r"\text{without loss of generality, only positive slip}",
         "Negative slip is positive slip with the tangential direction reversed: x, u, a, B and λ_T change their signs, "
         "and C + μB of negative slip becomes p = C - μB",
-        Check(Rung.EXACT, "Coulomb's law and eqs. udynamics and vdynamics, mirrored", equations_are_mirrored()),
-        Check(
-            Rung.EXACT,
-            "the accelerations of negative slip, mirrored, are those of positive slip",
-            negative_slip_is_positive_slip(),
+        Rung.EXACT.check("Coulomb's law and eqs. udynamics and vdynamics, mirrored", equations_are_mirrored()),
+        Rung.EXACT.check(
+            "the accelerations of negative slip, mirrored, are those of positive slip", negative_slip_is_positive_slip()
         ),
     )
 

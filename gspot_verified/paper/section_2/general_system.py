@@ -10,7 +10,7 @@ from operator import mul
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
 ALGEBRA = Algebra("p b r v alpha1 alpha2 alpha3 LFp LGp LFb LGb LFy LGy LFv LGv c s w g k mu W Y U X")
@@ -171,27 +171,23 @@ def of_the_rod() -> bool | None:
 
 
 def _at_once() -> Entry:
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-at-once",
         "eq:lagrangian1, eq:lagrangian2",
         r"\mathcal L_{G_T}x=\mathcal L_{G_N}x=\mathcal L_{G_T}y=\mathcal L_{G_N}y=0,\ \mathcal L_Gp=0",
         "Forces change accelerations alone, and x, y and p depend on the coordinates and t alone (for a μ that does): "
         "so L_{G_T} x = L_{G_N} x = L_{G_T} y = L_{G_N} y = 0 and L_G p = 0",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "where the mass matrix is diagonal: the rate of each coordinate has no force, and what it adds to "
             "p = L_G v has no velocity, for any number of coordinates",
             of_each_coordinate(),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the equations of motion of two coordinates, with symbols for M, the gradients of x and y, and μ: the "
             "rates of the coordinates have no force, and p = L_G v has no velocity",
             of_two_coordinates(),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the rod that slides, with its tangential and its normal force: in every state of this mechanism",
             of_the_rod(),
         ),
@@ -201,26 +197,23 @@ def _at_once() -> Entry:
 
 
 def _projected() -> Entry:
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-projected",
         "eqs. udynamics, vdynamics, lines 448 to 453",
         r"\dot u=a+\lambda_TA+\lambda_NB,\ \dot v=b+\lambda_TB+\lambda_NC,\quad"
         r"B=\mathcal L_{G_N}u=\mathcal L_{G_T}v",
         "M q'' = f + t λ_T + n λ_N with a positive definite mass matrix of any size, t and n the gradients of x and y: "
         "du/dt and dv/dt are linear in λ_T and λ_N, and one B stands in both, L_{G_N} u = L_{G_T} v",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "where the mass matrix is diagonal: what each coordinate adds to du/dt and dv/dt, for any number of "
             "coordinates",
             one_coefficient_of_each(),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the equations of motion of two coordinates, with symbols for M and the gradients of x and y",
             one_coefficient(),
         ),
-        Check(Rung.POINTS, "the rod that slides, in every state of this mechanism", one_coefficient_of_the_rod()),
+        Rung.POINTS.check("the rod that slides, in every state of this mechanism", one_coefficient_of_the_rod()),
         note="B is t M^-1 n. Signs of A, C and AC - B²: 1-mass-matrix.",
     )
 
@@ -236,8 +229,7 @@ def _slip_equations() -> Entry:
         images = {name: ALGEBRA.read(text) for name, text in ROD.items()}
         return [ALGEBRA.derivative(images[name], rates) - ALGEBRA.substitute(parts[name], images) for name in "pbyv"]
 
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-slip-equations",
         "gensys2 to gensys5",
         r"\dot p=\alpha_1,\ \dot b=\alpha_2-\alpha_3\lambda_N,\ \dot y=v,\ \dot v=b+p\lambda_N",

@@ -11,10 +11,10 @@ from gspot_verified.expansion.series.terms import NumberTerms
 from gspot_verified.functions.expressions import Constant, Expression, Variable
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.symbols import RationalFunction, Symbols
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
-SECTION = "Section 2"
+SECTION = Section("Section 2")
 _NAMES = "x1 x2 x3 x4 x5 x6 alpha1 alpha2 alpha3 chi c lam a kplus kminus pminus"
 ALGEBRA = Algebra(_NAMES)
 _SYMBOLS = ALGEBRA.symbols
@@ -147,8 +147,7 @@ def _quantities_by_flow(parts: Parts) -> list[fmpq_mpoly]:
 
 def _lagrangian() -> Entry:
     this = Claim(ALGEBRA, PRINTED["2-lagrangian"])
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-lagrangian",
         "eq:lagrangian1, eq:lagrangian2",
         r"\mathcal L_{G_T}x=\mathcal L_{G_N}x=\mathcal L_{G_T}y=\mathcal L_{G_N}y=0,\ \mathcal L_Gp=0",
@@ -160,8 +159,7 @@ def _lagrangian() -> Entry:
 
 def _quantities() -> Entry:
     this = Claim(ALGEBRA, PRINTED["2-quantities"])
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-quantities",
         "line 706",
         r"u=\xi_2,\ v=\xi_4,\ p=\xi_5,\ b=\xi_6,\ \alpha_1=\alpha_1^*+\chi\xi_6,\ \ldots",
@@ -204,8 +202,7 @@ def _extended() -> Entry:
             found.append(flow.equal(f + (n - mu * t) * forward + (n + mu * t) * backward, wanted))
         return found
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-extended",
         "lines 664 to 702, eq:newex6",
         r"\dot\xi=F+G_T\lambda_T+G_N\lambda_N",
@@ -234,8 +231,7 @@ def _stick() -> Entry:
         at_0, at_1 = a + minus * force, a + plus * force
         return [parts["numerator"] * (at_1 - at_0) + at_0 * parts["denominator"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-stick",
         "eq:cdot",
         r"c=(k^-+\lambda_N^{-1}a)/(k^--k^+)",

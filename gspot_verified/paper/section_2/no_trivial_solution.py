@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra
 
 ALGEBRA = Algebra("p b t L m b0 chi alpha1 alpha2 alpha3")
@@ -66,15 +66,14 @@ def by_the_line() -> bool | None:
 
 
 def _no_trivial() -> Entry:
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-no-trivial",
         "lines 708 to 712",
         r"\chi=1:\ \text{there is no such trivial solution}",
         "In slip with contact the extended example has no solution with v = 0 and constant y and z that passes p = 0, "
         "for all χ, α_1 and α_2 other than 0",
-        Check(Rung.EXACT, "newex4 with v = 0, derived twice along newex1 and newex2", by_derivatives()),
-        Check(Rung.EXACT, "b as a line in t, p from newex4, put into newex1", by_the_line()),
+        Rung.EXACT.check("newex4 with v = 0, derived twice along newex1 and newex2", by_derivatives()),
+        Rung.EXACT.check("b as a line in t, p from newex4, put into newex1", by_the_line()),
         note="With constant y and z there is a state of rest for χ not 0, b = -α_1/χ, where p is not 0. For χ = 0: "
         "2-trivial.",
     )

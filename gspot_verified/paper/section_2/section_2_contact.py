@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising_signs
 
 ALGEBRA = Algebra("z y zd epsilon k1 k2 c d x lam")
@@ -52,20 +52,17 @@ def of_the_springs(phase: str) -> bool | None:
 
 
 def _relaxation() -> Entry:
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-relaxation",
         "lines 555 to 557",
         r"z\to y/2\ (y<0),\qquad z\to0\ (y>0)",
         "At a fixed y < 0 the deformation z of the surface relaxes to y/2 like e^(-2t/ε), and at a fixed y > 0 to 0 "
         "like e^(-t/ε)",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "eqs. compl1 and compl2: the deviation of z decays at these rates, for every y",
             all_of(relaxes(phase) for phase in RATE),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "eqs. compliant1 to compliant3: the springs balance there, and the slope of the force over c is the rate",
             all_of(of_the_springs(phase) for phase in SPRINGS),
         ),
@@ -111,20 +108,17 @@ def relaxes_by_the_damper() -> bool | None:
 
 
 def _deformation() -> Entry:
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-deformation",
         "lines 557 to 558",
         r"z=-\epsilon^2\lambda_N\to0",
         "Under a given constant force λ_N the deformation of the surface settles at z = -ε² λ_N like e^(-t/ε), and the "
         "contact point at y = -2ε² λ_N: both tend to 0 as ε → 0, for every λ_N",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "eq. compl1: the deviation of z from -ε² λ_N decays, and what is left has a factor ε",
             all_of([settles_under_force(), vanish_with_epsilon()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "eqs. compliant1 to compliant3: the springs k_1 and k_2 carry the force at these z and y, at rest",
             all_of([balanced_by_the_springs(), relaxes_by_the_damper(), vanish_with_epsilon()]),
         ),
@@ -159,8 +153,7 @@ def _compliant() -> Entry:
             stiffness,
         ]
 
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-compliant",
         "eqs. compl1, compl2, lines 572 to 583",
         r"\epsilon\dot z=-z-\epsilon^2\lambda_N,\quad\lambda_N=\epsilon^{-2}(z-y)",

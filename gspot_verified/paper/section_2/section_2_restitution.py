@@ -11,12 +11,12 @@ from functools import lru_cache
 from flint import arb, fmpq, fmpq_mpoly
 
 from gspot_verified.numbers.balls import ball_text, certainly_less, working_bits
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.numerics.restitution import elastic_loss, inelastic_bound, restitution
 
-SECTION = "Section 2"
+SECTION = Section("Section 2")
 ALGEBRA = Algebra("y v z rho zeta")
 _SYMBOLS = ALGEBRA.symbols
 MOTION = {"y": "zeta*v", "v": "zeta*(z - y)", "z": "-rho*z - (z - y)"}
@@ -141,22 +141,19 @@ def approaches(limit: str) -> bool | None:
 
 def _elastic() -> Entry:
     found = (f"{limit}: {', '.join(ball_text(loss, 3) for loss in losses(limit))}" for limit in ELASTIC)
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-restitution-elastic",
         "lines 560 to 566",
         r"e\to1:\quad c\to0,\ c\to\infty,\ k_2\to0,\ k_1\to\infty",
         "The energetic coefficient of restitution e of an impact (constant p > 0, λ_N the only force, y = z = 0 at its "
         "start) tends to 1 as c → 0, c → ∞, k_2 → 0 or k_1 → ∞, the other constants fixed",
         Q2.carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "Theorem Q2: bounds on 1 - e², one of which tends to 0 in each limit",
                 all_of(loss_vanishes(powers) for powers in ELASTIC.values()),
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "certified values at two places on the way to each limit: 1 - e² falls, and obeys the bounds",
             all_of(approaches(limit) for limit in ELASTIC),
             "; ".join(found),
@@ -190,8 +187,7 @@ def has_no_epsilon() -> bool | None:
 
 
 def _consistent() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-restitution-consistent",
         "lines 560 to 562",
         r"\epsilon\to0:\ \text{consistent with models of coefficients of restitution}",
@@ -199,15 +195,13 @@ def _consistent() -> Entry:
         "one coefficient of restitution, between 0 and 1, for every ε > 0 and every v < 0 at its start, and lasts ε "
         "times a number that does not depend on ε: as ε → 0 it is a jump of v",
         Page("restitution", COMMON).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "eqs. compliant1 to compliant3 in units of the impact are eq. (1) of the page: no ε is left, no speed",
                 in_units(),
             )
         ),
         Page("restitution", COMMON).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "Theorem Q1: the impact ends, with 0 < e < 1; ρ, ζ and ε sqrt(k_2 p) have no ε in them",
                 has_no_epsilon(),
             )
@@ -241,22 +235,19 @@ def is_lossy() -> bool | None:
 
 
 def _inelastic() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-restitution-inelastic",
         "lines 566 to 568",
         r"e\to0:\quad k_1\to0,\ k_2\to\infty",
         "The coefficient of restitution of an impact (constant p > 0, λ_N the only force, y = z = 0 at its start) "
         "tends to 0 as k_1 → 0 and k_2 → ∞, however the two are related, with c fixed",
         Q3.carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "Theorem Q3: e is at most ζ + (1 + ρ) sqrt(ρ)/ζ, with ζ = c sqrt(p/k_2), sqrt(ρ)/ζ = sqrt(k_1/p)/c",
                 bound_vanishes(),
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"certified values for c = p = 1, k_1 = 1/k_2 = {' and '.join(map(str, LOSSY))}: e falls, and obeys the "
             "bound",
             is_lossy(),
@@ -289,22 +280,18 @@ def the_bounds_differ() -> bool | None:
 
 def _not_fixed() -> Entry:
     first, second = coefficients()
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-restitution-not-fixed",
         "lines 568 to 570",
         r"k_1,\ k_2,\ c\ \text{fixed}\ \not\Rightarrow\ e\ \text{fixed}",
         f"With k_1 = {STIFFNESS}, k_2 = c = 1 the coefficient of restitution of an impact (constant p > 0, λ_N the "
         f"only force, y = z = 0 at its start) is below {APART[0]} for p = {ONE_CONTACT[0]} and above {APART[1]} for "
         f"p = {ONE_CONTACT[1]}: it depends on p",
-        Check(
-            Rung.BALLS,
-            "e for both p, by the exact motion",
-            they_differ(),
-            f"{ball_text(first, 4)}, {ball_text(second, 4)}",
+        Rung.BALLS.check(
+            "e for both p, by the exact motion", they_differ(), f"{ball_text(first, 4)}, {ball_text(second, 4)}"
         ),
         Page("restitution", (*Q2.steps, creeps)).carries(
-            Check(Rung.EXACT, "Theorem Q3 for the smaller p, Theorem Q2 for the larger one", the_bounds_differ())
+            Rung.EXACT.check("Theorem Q3 for the smaller p, Theorem Q2 for the larger one", the_bounds_differ())
         ),
         note="p = C - μB depends on the mechanism, on its configuration and on the direction of slip.",
     )

@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterable
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising_signs
 from gspot_verified.paper.section_2 import lagrangian
 
-SECTION = "Section 2"
+SECTION = Section("Section 2")
 ALGEBRA = Algebra("x u p b y v z alpha1 alpha2 alpha3 chi a c lam lp lm kplus kminus q x5 k2 d A B C D mu lamT")
 _SYMBOLS = ALGEBRA.symbols
 ALLOWED: dict[str, Callable[[int, int], bool]] = {"printed": operator.gt, "corrected": operator.ge}
@@ -56,23 +56,16 @@ def holds_in_contact(form: str) -> bool | None:
 
 def _unilateral() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-unilateral",
         "lines 431 to 435",
         "y>0",
         "The unilateral constraint is y > 0",
-        Check(
-            Rung.EXACT,
-            "line 502: y = 0 at a G-spot",
-            mended(*map(holds_at_the_g_spot, forms)),
-            "y > 0 leaves out every G-spot",
+        Rung.EXACT.check(
+            "line 502: y = 0 at a G-spot", mended(*map(holds_at_the_g_spot, forms)), "y > 0 leaves out every G-spot"
         ),
-        Check(
-            Rung.EXACT,
-            "line 508: contact is y = 0",
-            mended(*map(holds_in_contact, forms)),
-            "y > 0 leaves out every contact",
+        Rung.EXACT.check(
+            "line 508: contact is y = 0", mended(*map(holds_in_contact, forms)), "y > 0 leaves out every contact"
         ),
         corrected="y >= 0",
     )
@@ -111,23 +104,19 @@ def cone_is_spanned() -> bool | None:
 
 
 def _two_forces() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-two-forces",
         "lines 626 to 637",
         r"\lambda^+=c\lambda_N,\ \lambda^-=(1-c)\lambda_N:\quad\lambda_T=-\mu\lambda^++\mu\lambda^-",
         "A contact force of the cone of friction, |λ_T| <= μ λ_N with μ > 0, is in exactly one way the sum of a force "
         "of positive slip, with the normal part c λ_N, and one of negative slip, with (1 - c) λ_N: c is 1 in positive "
         "slip, 0 in negative slip, and between them where |λ_T| < μ λ_N",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "eq. lambda+: the normal parts have the sum λ_N, and λ_T falls with c from μ λ_N at 0 to -μ λ_N at 1",
             shares_make_the_force(),
         ),
-        Check(
-            Rung.EXACT,
-            "Cramer's rule for the two normal parts: 2 μ λ⁺ = μ λ_N - λ_T and 2 μ λ⁻ = μ λ_N + λ_T",
-            cone_is_spanned(),
+        Rung.EXACT.check(
+            "Cramer's rule for the two normal parts: 2 μ λ⁺ = μ λ_N - λ_T and 2 μ λ⁻ = μ λ_N + λ_T", cone_is_spanned()
         ),
         note="The value of c in stick: 2-stick.",
     )
@@ -149,8 +138,7 @@ def _contact_part() -> Entry:
         same = ALGEBRA.read(fields["mu"]) - ALGEBRA.read("1 - x5")
         return [forces - parts["part"], same]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-contact-part",
         "lines 643 to 646",
         r"\text{the contact-dependent part of }\dot b\text{ is }\alpha_3^*\lambda^+",
@@ -205,20 +193,17 @@ def _coupling() -> Entry:
     slip = one_of(enters(name, NORMAL) for name in TANGENTIAL)
     terms = one_of(chi_brings(name) for name in TANGENTIAL)
     right = chi_couples_b_to_p()
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-coupling",
         "lines 661 to 664",
         r"\alpha_1=\alpha_1^*+\chi b\ \text{allows two-way coupling between normal and tangential dynamics}",
         "The term χ b of α_1 couples the tangential dynamics (x, u) back to the normal dynamics",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "newex1 to newex5, the share c kept: the rates of p, b, y, v, z, derived by x and by u",
             mended(slip, right),
             "neither x nor u enters, for any χ",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "all terms with χ, in slip and in stick",
             mended(terms, right),
             "the one term with χ is χ b in the rate of p",
@@ -246,20 +231,17 @@ def slip_is_the_motivating_example() -> bool | None:
 
 def _tangential() -> Entry:
     normal = [*(enters(name, NORMAL) for name in TANGENTIAL), enters("x", NORMAL + TANGENTIAL)]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-tangential",
         "lines 612 to 617 and 929 to 931",
         r"x\ \text{is a cyclic coordinate; no transition to stick without }u",
         "x enters no equation of the extended example; in slip the equations for p, b, y, v, z, which for χ = 0 are "
         "those of the motivating example, have no u either: they say nothing of a stop",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "eqs. xdot, udot, newex1 to newex5, derived by x and by u; with c = 1, χ = 0 eqs. modelsys1 to modelsys5",
             all_of([denied(one_of(normal)), slip_is_the_motivating_example()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the components of the printed F, G_T, G_N and μ, derived by ξ_1; by ξ_2 there is ξ_1' = ξ_2 alone",
             all_of([denied(fields_have("x1")), only_place_has_the_velocity()]),
         ),
@@ -281,17 +263,14 @@ def fields_move_p_alike() -> bool | None:
 
 
 def _linear() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-p-linear",
         "lines 794 to 795 and 972 to 973",
         r"p(t)=\alpha_1^*t",
         "In the motivating example p is p(0) + α_1 t along every motion, in contact or not",
-        Check(Rung.EXACT, "eq. newex1 with χ = 0: the rate of p is α_1, without a variable", rate_of_p_is_constant()),
-        Check(
-            Rung.EXACT,
-            "the fifth components of the printed F, G_T and G_N with χ = 0: α_1, 0 and 0",
-            fields_move_p_alike(),
+        Rung.EXACT.check("eq. newex1 with χ = 0: the rate of p is α_1, without a variable", rate_of_p_is_constant()),
+        Rung.EXACT.check(
+            "the fifth components of the printed F, G_T and G_N with χ = 0: α_1, 0 and 0", fields_move_p_alike()
         ),
     )
 
@@ -317,16 +296,14 @@ def force_vanishes_at_the_surface_alone() -> bool | None:
 
 
 def _contact_condition() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-contact-condition",
         "lines 551 to 555",
         r"\text{lift-off and touch-down are given by the same condition } y=z",
         "With λ_N of eq. compliant2 contact ends and begins at y = z, and λ_N is continuous there: for every z and "
         "every k_2 > 0 the force is positive exactly for y < z",
-        Check(Rung.EXACT, "the force at y = z - d, for every d > 0, is positive", force_is_positive_below()),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check("the force at y = z - d, for every d > 0, is positive", force_is_positive_below()),
+        Rung.EXACT.check(
             "the force of contact falls with y and is that of flight, 0, at y = z alone",
             force_vanishes_at_the_surface_alone(),
         ),
@@ -360,19 +337,17 @@ def signs_at_p_0() -> bool | None:
 
 
 def _signs() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "2-signs-at-p-0",
         "lines 680 to 687",
         r"p\approx0:\quad p^->0,\quad k^+<0,\quad k^->0",
         "Where p = 0, and so near it: the Painlevé parameter of negative slip is positive, p⁻ = 2C - p, and the "
         "contact force of positive (negative) slip accelerates the contact point backwards (forwards), k⁺ < 0 < k⁻",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "p + p⁻ = 2C; B k⁺ = -(AC - B²) + A p; k⁻ = k⁺ + 2μA = B + μA with B = C/μ > 0",
             all_of([sums_to_twice_c(), forward_force_slows()]),
         ),
-        Check(Rung.EXACT, "C = μB and A = (B² + D)/C put in, D = AC - B², all symbols positive", signs_at_p_0()),
+        Rung.EXACT.check("C = μB and A = (B² + D)/C put in, D = AC - B², all symbols positive", signs_at_p_0()),
         note="A, C and AC - B² are positive: 1-mass-matrix. The paper says it of typical contacts; at p = 0 it holds "
         "for all.",
     )

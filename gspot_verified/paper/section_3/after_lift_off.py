@@ -12,7 +12,7 @@ from gspot_verified.compliant.motion.run import ONE_FLIGHT, CompliantRun, events
 from gspot_verified.compliant.side.side_later import side
 from gspot_verified.numbers.balls import ball_text, certainly_less, hull, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of, same_sign
 from gspot_verified.paper.numerics.paper_state import paper_state
 
 DIGITS = 12
@@ -72,23 +72,20 @@ def _one_flight() -> Entry:
                 sides.append(side_at_touch_down(run))
             if run.events:
                 shown.append(f"β = {beta}, ν = {nu}, ε = {epsilon}: v = {ball_text(run.events[-1].velocity, 6)}")
-    return settled(
-        "Section 3",
+    return Section("Section 3").settled(
         "3-after-lift-off",
         "lines 914 to 918",
         r"\text{lift-off terminates shortly after the G-spot, with an impact of very low normal velocity}",
         "Each simulated run of Case III that lifts off, at ε = 10^-3 and 10^-9, has exactly one flight, from a "
         "lift-off where 0 < b < 13 ε^(2/3) to a touch-down, less than 45 ε^(2/3) after the G-spot, where 0 < -v < 300 "
         "ε^(4/3), and then takes an impact without collision: contact is not lost again",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "proofs/flight.md: certified lift-off and touch-down; the state at touch-down lies in an invariant set in "
             "which λ_N > 0 for ever, λ_N and -v without bound",
             all_of(answers),
             "; ".join(shown),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "proofs/flight.md, section 6: K > 0 in each state at touch-down, by its contour; K < 0 would mean that "
             "contact is lost again",
             all_of(sides),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
@@ -88,23 +88,20 @@ def runs_do_not_touch_down() -> bool | None:
 
 
 def _persists() -> Entry:
-    return settled(
-        "Section 3",
+    return Section("Section 3").settled(
         "3-flight-persists",
         "lines 912 to 914",
         r"\text{Case II: }\dot b>0,\ b, y, v\text{ increase, lift-off persists}",
         "In Case II (α_2 > 0) of the model system a flight that begins with b >= 0, y <= 0 and y - z increasing never "
         "ends, at every ε: b, v and y increase for ever, and y > z",
         Page("flight", (is_free_motion,)).carries(
-            Check(Rung.EXACT, "Theorem F1 (b): y - z begins with a positive slope and is convex", never_closes())
+            Rung.EXACT.check("Theorem F1 (b): y - z begins with a positive slope and is convex", never_closes())
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "y - z, and the rates of b, v, y, are sums of positive terms, with e^(-x) >= 1 - x",
             all_of([is_a_sum_of_positive_terms(), motion_increases()]),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"certified runs with α_2 = {SIGN}, ε = {EPSILON}, ν = {NU}, β = "
             f"{', '.join(map(str, BETAS))}: lift-off, and no other change of phase until t = 1",
             runs_do_not_touch_down(),

@@ -9,7 +9,7 @@ from itertools import groupby, pairwise
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import approximate, ball_text, certainly_less, hull, sign_of, working_bits
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.section_3.varsim2 import BETA, EPSILON, LIFT_OFF, SCENE, happens, has_no_slip_velocity
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.floats.float_run import float_run
@@ -164,8 +164,7 @@ def _impact_to_lift_off() -> Entry:
     starts = ", and ".join(f"ν = {nu} with u(0) = {first}" for nu, (first, _) in LOST.items())
     losses = ", ".join(f"less than {lost} for ν = {nu}" for nu, (_, lost) in LOST.items())
     (b_least, _), (v_least, _), (_, most) = AT_SPOT["b"], AT_SPOT["v"], AT_SPOT["lambda_N"]
-    return settled(
-        "Section 3",
+    return Section("Section 3").settled(
         "3-impact-to-lift-off",
         "lines 937 to 940",
         r"p,\ v\ \text{and}\ y\ \text{all begin to increase before the contact sticks: the impact will terminate}",
@@ -175,16 +174,14 @@ def _impact_to_lift_off() -> Entry:
         "in this order, each once up to lift-off: p, v and y rise then. The slip velocity that is lost up to lift-off "
         f"({losses}) does not depend on u(0), where u(0) is larger than it: lift-off can come at every share of the "
         "slip velocity at the G-spot",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "certified runs by the validated integrator, lift-off the only event: the signs of the rates of p, v, y "
             "and λ_N in boxes that enclose all of the motion in slip; eqs. udot, newex1 to newex5 in slip, derived by "
             "u: no rate has u, so another u(0) changes u alone, by as much, as long as u > 0",
             all_of([*map(is_shown, LOST), has_no_slip_velocity()]),
             "; ".join(map(_told, LOST)),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"float runs ({_FLOATS[0]}) lift off alone, after the loss and with the force that are stated; p, v, y "
             f"have their least and λ_N its largest value in this order, within {FLOAT_NEAR} of these times",
             all_of(map(floats_agree, LOST)),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import ball_text, certainly_less, working_bits
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.section_3.contact_motion import BITS, force_by_single_equation, force_by_system
 
 EPS = fmpq(1, 1000)
@@ -67,12 +67,11 @@ def _check(what: str, forces: Forces) -> Check:
     finding = (
         f"β = 3/2, ν = 2 (a lower b(0)): at t = {END} after the G-spot contact would need {pull}: it has lifted off"
     )
-    return Check(Rung.BALLS, what, agrees, finding)
+    return Rung.BALLS.check(what, agrees, finding)
 
 
 def _sides() -> Entry:
-    return settled(
-        "Section 3",
+    return Section("Section 3").settled(
         "3-sides",
         "lines 782 to 785",
         r"\text{lower } b(0) \text{ take an impact in panel (b)},\ \text{higher } b(0) \text{ in panel (c)}",

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.checks.words import Place, said
 from gspot_verified.paper.section_3 import section_3_sentences
 
-SECTION = "Section 3"
+SECTION = Section("Section 3")
 ALGEBRA = Algebra("p b y v z lam alpha1 alpha2 alpha3")
 BETAS = {"a": fmpq(1, 2), "b": fmpq(3, 2), "c": fmpq(5, 2)}
 ALPHA_1, ALPHA_2, FIRST_P = fmpq(-1), fmpq(-1), fmpq(1, 2)
@@ -61,21 +61,18 @@ def among_the_runs(form: str) -> bool | None:
 
 def _trivial_shown() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-trivial-shown",
         SHOWN,
         r"\text{In each plot, a dot-dashed line depicts the trivial solution}",
         "By the text, and by the five starts of the caption, each of the panels (a), (b), (c) of Figure 6 has the "
         "trivial solution as a dot-dashed line",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the text on panel (a)",
             mended(*map(shown, forms)),
             "it is unphysical there, and is not shown (lines 766 to 767)",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the five starts of each panel: which one has b(0) = α_2/(α_1 - α_3) p(0)",
             mended(*map(among_the_runs, forms)),
             f"panel (a): none, as all b(0) < 0 and the trivial solution has b(0) = {-ALPHA_2 * FIRST_P / fmpq(1, 2)}; "
@@ -103,20 +100,17 @@ def has_all_starts(last: str) -> bool | None:
 
 def _equations() -> Entry:
     lasts = (LAST["printed"], LAST["corrected"])
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-caption-equations",
         "lines 728 to 733 and 822 to 825",
         r"\text{numerical simulation of eqs. (22) to (25)}",
         "Figures 6 and 7 are simulations of eqs. modelsys1 to modelsys4",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the variables in these equations, with λ_N of eq. compl2",
             mended(*map(is_closed, lasts)),
             "λ_N depends on z, and no equation among them says how z moves",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the initial values of the caption",
             mended(*map(has_all_starts, lasts)),
             "five are given, z(0) among them; the equations have four rates",
@@ -147,15 +141,13 @@ def force_is_that_of_the_case(panel: str) -> bool | None:
 
 def _panels() -> Entry:
     named = ", ".join(f"({panel}) Case {case}" for panel, case in CASES.items())
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-panels",
         "lines 762 to 763 and 772 to 774",
         r"\text{panel (a): Case I; panels (b), (c): Case III}",
         f"The α's of the caption of Figure 6 are in these Cases: {named}",
-        Check(Rung.EXACT, "the signs and the order of α_1, α_2, α_3", all_of(is_in_case(panel) for panel in BETAS)),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check("the signs and the order of α_1, α_2, α_3", all_of(is_in_case(panel) for panel in BETAS)),
+        Rung.EXACT.check(
             "the sign of λ_N on the trivial solution, α_2/(α_3 - α_1), all three α's negative",
             all_of(force_is_that_of_the_case(panel) for panel in BETAS),
         ),
@@ -178,14 +170,13 @@ def flight_has_these_rates() -> bool | None:
 
 
 def _after_contact() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-after-contact",
         "lines 911 to 912",
         r"\text{after lift-off }\lambda_N=0,\ \dot b=\alpha_2^*",
         "Without contact the force λ_N is 0 (compl2), and so db/dt is α_2* and dv/dt is b",
-        Check(Rung.EXACT, "modelsys2 and modelsys4 with λ_N = 0", rate_in_flight()),
-        Check(Rung.EXACT, "the flight of 3-flight-ends, derived", flight_has_these_rates()),
+        Rung.EXACT.check("modelsys2 and modelsys4 with λ_N = 0", rate_in_flight()),
+        Rung.EXACT.check("the flight of 3-flight-ends, derived", flight_has_these_rates()),
     )
 
 

@@ -16,7 +16,7 @@ from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.numbers.balls import sign_of
 from gspot_verified.numbers.short_text import decimal_text
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.numerics.paper_runs import least_share
 from gspot_verified.paper.numerics.paper_state import paper_state
@@ -25,7 +25,7 @@ from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import IMPACT
 
-SECTION = "Section 3"
+SECTION = Section("Section 3")
 ALGEBRA = Algebra("r p Y V Z x y b u alpha2 v z e d")
 _SYMBOLS = ALGEBRA.symbols
 CONTACT = {"Y": "V", "V": "p*(Z - Y)", "Z": "-Z - (Z - Y)"}
@@ -96,23 +96,19 @@ def damped_and_oscillating(p: fmpq) -> bool | None:
 
 
 def _oscillations() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-oscillations",
         "lines 742 to 746",
         r"\text{damped oscillations, their frequency diverges to }\infty\text{ as }\epsilon\to0",
         "At every fixed p > 0 the contact of the model system has motions e^(r t/ε) with a pair r of complex rates, "
         "-1/2 < Re r < 0, that do not depend on ε: damped oscillations with frequency |Im r|/ε",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the characteristic polynomial r³ + 2r² + p r + p: its discriminant is negative for every p > 0, its real "
             "root lies in (-2, -1), the sum of the roots is -2",
             all_of([rates_of_the_contact(), one_real_root_below_minus_one()]),
         ),
-        Check(
-            Rung.POINTS,
-            "the roots at p = 1/100, 1/2, 2",
-            all_of([rates_of_the_contact(), *(damped_and_oscillating(p) for p in AT)]),
+        Rung.POINTS.check(
+            "the roots at p = 1/100, 1/2, 2", all_of([rates_of_the_contact(), *(damped_and_oscillating(p) for p in AT)])
         ),
         note="At p = 0 the rates are 0, 0 and -2: the oscillations are slowest there (Sec. 4, inner scale).",
     )
@@ -136,16 +132,14 @@ def sides_differ(beta: fmpq, low: fmpq, high: fmpq) -> bool | None:
 def _separatrix() -> Entry:
     places = [(beta, low, high) for beta in SEPARATED for low, high in PAIRS]
     ranges = ", ".join(f"β = {beta} (every ε <= {varsim1.EPSILON_0[beta]})" for beta in SEPARATED)
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-separatrix",
         "lines 780 to 781",
         r"\text{the trivial solution appears to form a separatrix}",
         f"{ranges}: of the runs ν = 1/4, 1/2 and ν = 2, 4 of fig. varsim1 on the two sides of the trivial solution "
         "ν = 1, those of one side lift off and those of the other take an impact",
-        Check(Rung.BALLS, "proofs/paper_runs.md, Theorem A'", all_of(parted(*place) for place in places)),
-        Check(
-            Rung.POINTS,
+        Rung.BALLS.check("proofs/paper_runs.md, Theorem A'", all_of(parted(*place) for place in places)),
+        Rung.POINTS.check(
             "K has opposite signs on the two sides at ε = 10^-3, 10^-6, 10^-12; it is linear in ν - 1",
             all_of(sides_differ(*place) for place in places),
         ),
@@ -204,8 +198,7 @@ def lost_after(nu: fmpq, epsilon: fmpq) -> bool | None:
 
 def _passes_and_lifts_off(epsilon: fmpq) -> Check:
     found = first_zero(*case_ii(NEAR, epsilon), digits=6)
-    return Check(
-        Rung.BALLS,
+    return Rung.BALLS.check(
         f"proofs/force_range.md: the first zero of λ_N for β = {CASE_II['beta']}, α_1 = -1, α_2 = {CASE_II['alpha_2']}"
         f", ν = {NEAR}, ε = {epsilon}",
         False if lost_after(NEAR, epsilon) else None,
@@ -216,14 +209,12 @@ def _passes_and_lifts_off(epsilon: fmpq) -> Check:
 
 
 def _case_ii() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-case-II",
         "lines 768 to 770",
         r"\text{Case II: all initial conditions that pass the G-spot take an impact}",
         "In Case II of the model system every start from which contact lasts until p = 0 takes an impact",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the trivial solution, for all α's of Case II and every ε > 0",
             False if trivial_keeps_contact() else None,
             "λ_N = α_2/(α_3 - α_1) > 0 for ever: contact is not lost and the force does not grow",
@@ -259,22 +250,19 @@ def _case_ii_starts() -> Entry:
     reached = [(nu, epsilon) for nu in ATTRACTED for epsilon in EPSILONS]
     lost = [(nu, epsilon) for nu in OTHERS for epsilon in EPSILONS]
     later = [(NEAR, epsilon) for epsilon in EPSILONS]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-case-II-starts",
         "lines 768 to 770",
         r"\text{Case II: which initial conditions take an impact}",
         f"Case II with β = {CASE_II['beta']}, α_1 = -1, α_2 > 0, the initial values of fig. varsim1, every ε in "
         f"(0, {REACHES}]: for every ν > 1 contact lasts for ever and λ_N → +∞, an impact; for every ν in (0, 1) "
         "contact is lost, and for ν close enough to 1 after p = 0",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "proofs/paper_runs.md, Corollary (Case II): λ_N is its mean times 1 + (ν - 1) u, u > 0 and u → ∞, the same "
             "u for every ν",
             all_of([same_share(), share_grows()]),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "ε = 1/1000 and 1/2000: certified runs for ν = 2, 4, the first zero of λ_N before p = 0 for ν = 1/4, 1/2 "
             f"and after it for ν = {NEAR}, and the sign of K",
             all_of(
@@ -328,21 +316,18 @@ def below_a_line() -> bool | None:
 
 
 def _flight_ends() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-flight-ends",
         "lines 914 to 917",
         r"\text{in Cases I and III }\dot b<0:\ \text{lift-off always terminates}",
         "In Cases I and III (α_2 < 0) every flight of the model system ends with a touch-down, at every ε: in free "
         "motion v and y decrease in the end, without bound",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "v has the leading coefficient α_2/2 < 0, y is a cubic with α_2/6 < 0, z = z_0 e^(-u/ε) → 0: y < z in the "
             "end",
             all_of([free_motion(), falls_for_ever()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "y <= -e u² at u = 6 (|b|/2 + |v| + |y| + e)/|α_2| >= 1, and v <= -e u at u = 2 (|b| + |v| + e)/|α_2| >= "
             "1, for every e > 0: an explicit time",
             all_of([free_motion(), below_a_line()]),

@@ -7,11 +7,11 @@ from functools import partial
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import ball_text, certainly_less, working_bits
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.numerics.at_the_g_spot import deviations
 from gspot_verified.paper.numerics.scaling_exponents import limit_exponent, regression_error
 
-SECTION = "Section 3"
+SECTION = Section("Section 3")
 DIVERGES = {fmpq(1, 2): 0, fmpq(3, 2): 1, fmpq(5, 2): 2}
 """By β: which derivative of y diverges first, as printed."""
 DERIVATIVES = ("y", "v", "b")
@@ -53,22 +53,19 @@ def _smoothness(beta: fmpq) -> Entry:
         with working_bits(64):
             size = abs(deviations(beta, NU, epsilon)[DERIVATIVES[DIVERGES[beta]]]) / epsilon**2
             values.append(f"ε = {epsilon}: {ball_text(size, 6)}")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         smoothness_identifier(beta),
         lines,
         rf"\beta={float(beta.p) / float(beta.q)}:\ \text{{{word} appears to diverge}}",
         f"β = {beta}, runs of fig. varsim1 other than ν = 1, in the scale ε² of y: at the G-spot {word} has size "
         f"ε^(-1/3), and diverges as ε → 0; the derivatives of lower order tend to 0 (the trivial solution taken off)",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             f"proofs/scaling_exponents.md, Theorem E3: the exponent of each derivative over ε², every ε <= {LARGEST}",
             all_of(
                 [*(as_printed(beta, order) for order in orders), _is_third(exponent_over_scale(beta, DIVERGES[beta]))]
             ),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"certified values at ε = 10^-3 and 10^-5, ν = {NU}",
             all_of(grows(beta, order) for order in orders),
             "; ".join(values),

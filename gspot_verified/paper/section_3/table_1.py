@@ -14,7 +14,7 @@ from functools import partial
 from flint import arb, fmpq, fmpz
 
 from gspot_verified.numbers.balls import ball_text, certainly_less, hull, sign_of, working_bits
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, in_greek
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.numerics.at_the_g_spot import crossing, deviations
@@ -28,7 +28,7 @@ from gspot_verified.paper.numerics.scaling_exponents import (
 )
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-SECTION = "Section 3"
+SECTION = Section("Section 3")
 BETAS = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
 NU = fmpq(2)
 
@@ -159,11 +159,8 @@ def by_series(name: str, beta: fmpq, series: Series) -> Check:
     """Whether the regression over one series gives the printed number; open for a series that begins above BEGIN."""
     found = slope(name, beta, series) if max(epsilons(series)) <= BEGIN else None
     finding = "" if found is None else f"the slope is {decimals(found)}"
-    return Check(
-        Rung.BALLS,
-        f"certified values and regression for {text_of(series)}",
-        is_the_number(MEASURED[name][beta], found),
-        finding,
+    return Rung.BALLS.check(
+        f"certified values and regression for {text_of(series)}", is_the_number(MEASURED[name][beta], found), finding
     )
 
 
@@ -177,8 +174,7 @@ def _front(name: str, beta: fmpq) -> str:
 
 
 def _possible(name: str, beta: fmpq) -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         identifier(name, beta),
         f"line {LINES[name]} (β = {beta})",
         rf"\gamma={MEASURED[name][beta]}",
@@ -190,15 +186,13 @@ def _possible(name: str, beta: fmpq) -> Entry:
 
 def _impossible(name: str, beta: fmpq) -> Entry:
     decades = slope(name, beta, DECADES)
-    return settled(
-        SECTION,
+    return SECTION.settled(
         identifier(name, beta),
         f"line {LINES[name]} (β = {beta})",
         rf"\text{{exponent for }}\hat {name},\ \beta={beta}\text{{: }}{MEASURED[name][beta]}",
         f"{_front(name, beta)} the slope of the regression over some series of ε <= {LARGEST} (neighbours at least 1 % "
         "apart), or over ε = 10^-3, 10^-4, 10^-5, 10^-6, rounded to four decimals",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             f"proofs/scaling_exponents.md, Theorem E3: all series of ε <= {LARGEST} at once",
             can_be_the_number(MEASURED[name][beta], name, beta, LARGEST),
             f"every such slope is within {rounded_up(regression_error(beta, name, LARGEST))} of "
@@ -222,22 +216,19 @@ def _one_series() -> Entry:
     (first, second), (third, half) = PAIR, ("y", BETAS[0])
     decades = [slope(name, beta, DECADES) for name, beta in PAIR]
     printed = [MEASURED[name][beta] for name, beta in PAIR]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-table-1-one-series",
         "lines 844 to 847",
         r"\text{their values in a series of simulations where }\epsilon\text{ was varied}",
         "Table 1(a): the measured numbers are the slopes of regressions over one series for all of them, with "
         f"ε <= {COMMON} (neighbours at least 1 % apart), rounded to four decimals",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             f"proofs/scaling_exponents.md, Theorem E5: over one series the slopes of {SYMBOLS[first[0]]} at β = "
             f"{first[1]} and of {SYMBOLS[second[0]]} at β = {second[1]}",
             can_be_of_one_series(COMMON),
             f"they differ by at most {rounded_up(pair_error(second[1], COMMON))}; printed {' and '.join(printed)}",
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             f"Theorem E3: {SYMBOLS[third]} at β = {half} over all series of ε <= {COMMON} at once",
             can_be_the_number(MEASURED[third][half], third, half, COMMON),
             f"{MEASURED[third][half]} is the slope over none",
@@ -300,23 +291,20 @@ def leading_terms_are_not_0() -> bool | None:
 def _theoretical(name: str) -> Entry:
     formulas = {beta: formula(name, beta) for beta in BETAS}
     limits = {beta: limit_exponent(beta, name) for beta in BETAS}
-    return settled(
-        SECTION,
+    return SECTION.settled(
         f"3-table-1-theory-{name}",
         f"line {LINES[name]} (theoretical)",
         rf"\gamma\to {FORMULAS[name].replace('*', '')}",
         f"Table 1(b): the exponent of {SYMBOLS[name]} tends to {in_greek(FORMULAS[name]).replace('*', '')} as ε → 0, "
         f"for β = 1/2, 3/2, 5/2; its decimals are {', '.join(THEORETICAL[name].values())}",
         Page("scaling_exponents", (leading_terms_are_not_0,)).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "Theorem E1: the powers of C, η and ε in the exact solution are those of the printed formula, rounded "
                 "to the decimals",
                 all_of([formulas == limits, printed_are(limits, name)]),
             )
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "proofs/scaling_exponents.md, Theorems E1 to E3: every series of ε <= 10^-15 (neighbours 1 % apart or "
             "more) gives the decimals",
             every_series_gives(name),
@@ -352,20 +340,18 @@ def times_follow(ratios: Sequence[fmpq] = (fmpq(1, 10**14), fmpq(1, 10**15))) ->
 
 def _theoretical_time() -> Entry:
     formulas = {beta: formula("t", beta) for beta in BETAS}
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-table-1-theory-t",
         f"line {LINES['t']} (theoretical)",
         r"\gamma\to 2/3",
         f"Table 1(b): the exponent of {SYMBOLS['t']} tends to {FORMULAS['t']} as ε → 0, for β = 1/2, 3/2, 5/2",
         Page("scaling_exponents", (zeros_are_simple,)).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "Theorem E4: t = (2 ε²)^(1/3) τ at a simple zero τ of G_β, and the decimals",
                 all_of([set(formulas.values()) == {TIME}, printed_are(formulas, "t")]),
             )
         ),
-        Check(Rung.POINTS, "certified crossings at ε = 10^-14 and 10^-15", times_follow()),
+        Rung.POINTS.check("certified crossings at ε = 10^-14 and 10^-15", times_follow()),
         note="For β = 3/2 b-hat vanishes before and after the G-spot; both times scale alike.",
     )
 

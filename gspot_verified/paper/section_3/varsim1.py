@@ -17,7 +17,7 @@ from gspot_verified.compliant.model.normal_form import (
 from gspot_verified.compliant.motion.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.numerics.paper_runs import START, fate_by_side, margin_up_to
 
@@ -96,16 +96,14 @@ def _some_time(epsilon: fmpq) -> fmpq:
 
 def _entry(beta: fmpq, nu: fmpq, every: str, proof: Check) -> Entry:
     tried = [fate_at(beta, nu, epsilon) for epsilon in POINTS]
-    return settled(
-        "Section 3",
+    return Section("Section 3").settled(
         identifier(beta, nu),
         "fig:varsim1",
         r"\text{dashed curves take an IWC, solid curves lift off}",
         f"Panel ({PANELS[beta]}), β = {beta}, ν = {nu}, in the compliant model from the initial values of the figure, "
         f"every {every}: {DRAWN[FATES[beta][nu]]}",
         proof,
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the sign of K and intervals at ε = 10^-3, 10^-6, 10^-12",
             are_drawn(beta, nu, tried),
             ", ".join(fate or "open" for fate in tried),
@@ -119,14 +117,14 @@ def _run(beta: fmpq, nu: fmpq) -> Entry:
     every, fate = f"ε in (0, {EPSILON_0[beta]}]", proved_fate(beta, nu)
     finding = f"every {every}: {fate or 'open'}"
     what = "proofs/paper_runs.md, Theorem A'"
-    return _entry(beta, nu, every, Check(Rung.BALLS, what, are_drawn(beta, nu, [fate]), finding))
+    return _entry(beta, nu, every, Rung.BALLS.check(what, are_drawn(beta, nu, [fate]), finding))
 
 
 def _trivial_run(beta: fmpq, nu: fmpq) -> Entry:
     fate = TRIVIAL if is_trivial(beta, nu) else None
     what = "modelsys2 to modelsys5 with ε and p as symbols: b/p, y, z and v keep their values"
     finding = f"every ε > 0: {fate or 'open'}"
-    return _entry(beta, nu, "ε > 0", Check(Rung.EXACT, what, are_drawn(beta, nu, [fate]), finding))
+    return _entry(beta, nu, "ε > 0", Rung.EXACT.check(what, are_drawn(beta, nu, [fate]), finding))
 
 
 def identifier(beta: fmpq, nu: fmpq) -> str:

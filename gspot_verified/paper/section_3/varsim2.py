@@ -11,7 +11,7 @@ from gspot_verified.compliant.model.normal_form import compliant_model
 from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.numbers.balls import approximate, ball_text, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.numerics.paper_state import START, paper_state
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
@@ -19,7 +19,7 @@ from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import IMPACT, SceneRun
 
-SECTION = "Section 3"
+SECTION = Section("Section 3")
 STICK, LIFT_OFF = "stick", "lift-off"
 SCENE = "fig-varsim2"
 FIRST_SLIP = fmpq(70)
@@ -120,15 +120,13 @@ def _times(run: SceneRun) -> str:
 
 
 def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         identifier(chi, nu),
         "fig:varsim2",
         r"\text{squares: slip-stick transitions, circles: lift-off}",
         f"The run of fig. varsim2 with χ = {chi}, ν = {nu} (ε = {EPSILON}, β = {BETA}, u(0) = {FIRST_SLIP}) has up to "
         f"t = 1 these events in this order, and no other change of phase: {', '.join(RUNS[chi, nu])}",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "certified run of the extended system by the validated integrator",
             all_of([happens(run_of(chi, nu), RUNS[chi, nu]), *([grows_after_the_spot(nu)] if chi == 0 else [])]),
             _times(run_of(chi, nu)),
@@ -139,8 +137,7 @@ def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:
 
 
 def _one_way(nu: fmpq) -> Entry:
-    second = Check(
-        Rung.POINTS,
+    second = Rung.POINTS.check(
         f"a float run ({_FLOATS[0]}): the same events at these times; the exact solution of the slip phase: u falls "
         "through 0 within 10^-9 of that stick",
         all_of([floats_agree(0, nu), sticks_first(nu)]),
@@ -159,7 +156,7 @@ def _two_way(nu: fmpq) -> Entry:
             f" u(0) = {FIRST_SLIP} is not large enough for ν = {nu}: with {FASTER[0]} and more it lifts off and has "
         )
         note += "not stuck (3-large-slip)."
-    return _run(1, nu, Check(Rung.POINTS, what, floats_agree(1, nu)), note)
+    return _run(1, nu, Rung.POINTS.check(what, floats_agree(1, nu)), note)
 
 
 def identifier(chi: int, nu: fmpq) -> str:
@@ -190,21 +187,16 @@ def as_many(found: int) -> bool | None:
 def _caption() -> Entry:
     found = lift_off_without_stick()
     drawn = [events for events in RUNS.values() if LIFT_OFF in events and STICK not in events]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-varsim2-caption",
         "lines 951 to 952",
         r"\text{liftoff occurs without slip-stick transition in one out of four cases}",
         f"Of the four runs with χ = 0 or 1, ν = 1/4 or 4, ε = {EPSILON}, β = {BETA} and u(0) = {FIRST_SLIP} there "
         "is one in which the contact lifts off up to t = 1 and has not stuck before",
-        Check(
-            Rung.BALLS,
-            "the certified runs, counted",
-            as_many(len(found)),
-            ", ".join(f"χ = {chi}, ν = {nu}" for chi, nu in found),
+        Rung.BALLS.check(
+            "the certified runs, counted", as_many(len(found)), ", ".join(f"χ = {chi}, ν = {nu}" for chi, nu in found)
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "float runs have the events that were counted",
             all_of([*(floats_agree(chi, nu) for chi, nu in RUNS), len(drawn) == WITHOUT_STICK]),
         ),
@@ -213,21 +205,18 @@ def _caption() -> Entry:
 
 def _continues_to_stick() -> Entry:
     nus = sorted({nu for _, nu in RUNS})
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-impact-to-stick",
         "lines 933 to 935",
         r"\chi=0:\ \text{the impact continues all the way until the contact sticks}",
         f"χ = 0, ν = 1/4 and 4, as in fig. varsim2 with ε = {EPSILON}: contact lasts from the start on until the "
         "contact sticks, and λ_N grows from some time after the G-spot on, as long as it slips",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "certified runs by the validated integrator: no event but the impact before the stick; the growth of λ_N "
             "is seen after p = 0, and not up to a multiple alone",
             all_of([*(happens(run_of(0, nu), RUNS[0, nu]) for nu in nus), *map(grows_after_the_spot, nus)]),
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "the exact solution of the slip phase: u falls through 0 within 10^-9 of that stick",
             all_of(sticks_first(nu) for nu in nus),
         ),
@@ -255,23 +244,20 @@ def floats_lift_off(nu: fmpq, slip: fmpq) -> bool | None:
 def _large_slip() -> Entry:
     stops = [event.lower for event in run_of(1, fmpq(4), FASTER[0]).events]
     again = [event.lower for event in run_of(1, fmpq(4), FASTER[1]).events]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "3-large-slip",
         "lines 937 to 940",
         r"\text{for large enough } u(0)\ \text{lift-off occurs before the contact sticks}",
         f"χ = 1, ε = {EPSILON}, β = {BETA}: for ν = 1/4 and every u(0) >= {FIRST_SLIP}, for ν = 4 and every u(0) >= "
         f"{FASTER[0]}, the contact lifts off and has not stuck; the motion in slip does not depend on u",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             f"certified runs: ν = 1/4 with u(0) = {FIRST_SLIP}, ν = 4 with u(0) = {FASTER[0]}, lift-off is the only "
             "event; eqs. udot, newex1 to newex5 in slip, derived by u: no rate has u, so with a larger u(0) u alone is "
             "larger, by as much, until lift-off",
             all_of([*(happens(run_of(1, nu, slip), (LIFT_OFF,)) for nu, slip in FAST), has_no_slip_velocity()]),
             f"ν = 4: lift-off at t = {', '.join(f'{approximate(time):.12g}' for time in stops)}",
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"for ν = 4 the certified lift-off is the same to 10^-9 with u(0) = {FASTER[1]}; float runs ({_FLOATS[0]}) "
             "lift off alone, at these times",
             all_of([_close(stops, again), *(floats_lift_off(nu, slip) for nu, slip in FAST)]),

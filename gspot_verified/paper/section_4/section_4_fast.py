@@ -9,12 +9,12 @@ from itertools import pairwise
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising_signs
 from gspot_verified.paper.section_4.section_4_outer import ALGEBRA, along, field
 from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
 
-SECTION = "Section 4"
+SECTION = Section("Section 4")
 _SYMBOLS = ALGEBRA.symbols
 _STATES = Algebra("y v z p")
 PRINTED: dict[str, dict[str, str]] = {
@@ -45,8 +45,7 @@ def _fast() -> Entry:
         slow = ALGEBRA.replaced(ALGEBRA.read(OUTER["4-deviation"]["equation"]), "b", images, epsilon**4)
         return [epsilon * slow - epsilon**4 * ALGEBRA.substitute(parts["equation"], p_is)]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-fast",
         "line 1087",
         r"-[p(\hat b_f'+\hat b_f'')+2\hat b_f'''+\hat b_f'''']+\epsilon[\ldots]=0",
@@ -75,8 +74,7 @@ def _polynomial() -> Entry:
         powers = [_SYMBOLS["lam"] ** k for k in range(5)]
         return [ALGEBRA.replaced(equation, "f", powers, ALGEBRA.constant(0)) - parts["polynomial"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-fast-polynomial",
         "line 1096",
         r"-\lambda[\lambda^3+2\lambda^2+p\lambda+p]=0",
@@ -120,19 +118,16 @@ def _stable() -> Entry:
     def all_positive(values: list[fmpq_mpoly]) -> bool:
         return all(_sign("4-stable", value) == 1 for value in values)
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-stable",
         "lines 1101 to 1105",
         r"p>0:\ \operatorname{Re}\lambda_i<0",
         "For p > 0 all three roots of λ³ + 2 λ² + p λ + p have negative real parts",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "Routh-Hurwitz: 1, 2, 2 p - p and p are polynomials in p with positive coefficients only",
             (_is_the_factor() and all_positive(hurwitz)) or None,
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "no real root is >= 0 (all coefficients positive), and twice the real part of a pair is a real root of the "
             "polynomial of the sums of two roots, λ³ + 4 λ² + (4 + p) λ + p, which has none >= 0 either",
             (_is_the_factor() and three.is_one() and all_positive([zero, one, two, *all_sums])) or None,
@@ -148,8 +143,7 @@ def _discriminant() -> Entry:
         value = b**2 * c**2 - 4 * a * c**3 - 4 * b**3 * d - 27 * a**2 * d**2 + 18 * a * b * c * d
         return [value - parts["discriminant"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-discriminant",
         "line 1108",
         r"\Delta=-p(4p^2-13p+32)",
@@ -214,8 +208,7 @@ def _roots() -> Entry:
         found = {"sum": trace, "product": _STATES.determinant(matrix)}
         return [parts[name] - ALGEBRA.read(str(value)) for name, value in found.items()]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-roots-sum",
         "lines 1109 to 1111",
         r"\sum\lambda_i=-2,\ \prod\lambda_i=-p",
@@ -230,19 +223,16 @@ def _saddle() -> Entry:
     real = _sign("4-saddle", ALGEBRA.read(CUBIC).discriminant("lam")) == 1
     # Product of the roots -zero > 0: one or three positive roots; their sum -two < 0 leaves one.
     one_positive = three.is_one() and _sign("4-saddle", zero) == -1 and _sign("4-saddle", two) == 1
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-saddle",
         "lines 1107 to 1113",
         r"p<0:\ \lambda_1<\lambda_2<0<\lambda_3",
         "For p < 0 the three roots of λ³ + 2 λ² + p λ + p are real and exactly one is positive",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "discriminant, sum and product of the roots, for every p < 0",
             (_is_the_factor() and real and one_positive) or None,
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "Sturm's theorem with p as a symbol: two roots below 0, one above",
             (_is_the_factor() and roots_for_negative_p() == (2, 1)) or None,
         ),

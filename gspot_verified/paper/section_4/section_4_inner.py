@@ -10,13 +10,13 @@ from dataclasses import replace
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Section
 from gspot_verified.paper.checks.identities import Claim, Parts, rising_signs
 from gspot_verified.paper.section_4.section_4_fast import fast_matrix
 from gspot_verified.paper.section_4.section_4_outer import ALGEBRA, along, field
 from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
 
-SECTION = "Section 4"
+SECTION = Section("Section 4")
 _SYMBOLS = ALGEBRA.symbols
 _DELTA = _SYMBOLS["delta"]
 INNER_SCALE = {"t": ALGEBRA.read("delta^2*s"), "epsilon": ALGEBRA.read("delta^3")}
@@ -66,8 +66,7 @@ def _inner() -> Entry:
     this = _claim("4-inner")
     outer = ALGEBRA.read(OUTER["4-deviation"]["equation"])
     images = [_DELTA ** (4 - k) * power for k, power in enumerate(_fast_powers())]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-inner",
         "eq:modelSysDevInner",
         r"\alpha_3^*\hat b-\alpha_1^*s\hat b'-2\hat b'''+\delta[\ldots]=0",
@@ -84,8 +83,7 @@ def _inner_fast() -> Entry:
     this = _claim("4-inner-fast")
     images = [_DELTA ** (4 - k) * _SYMBOLS[f"f{k}"] for k in range(5)]
     inner = ALGEBRA.replaced(ALGEBRA.read(PRINTED["4-inner"]["equation"]), "g", images, _DELTA**4)
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-inner-fast",
         "line 1161",
         r"-2\hat b_f'''-\hat b_f''''+\delta^2\alpha_1^*s(\hat b_f'+\hat b_f'')+\delta^3[\ldots]=0",
@@ -115,8 +113,7 @@ def _inner_fast_polynomial() -> Entry:
         powers = [_SYMBOLS["lam"] ** k for k in range(5)]
         return [ALGEBRA.replaced(equation, "f", powers, ALGEBRA.constant(0)) - parts["polynomial"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-inner-fast-polynomial",
         "line 1164",
         r"-\lambda^3[\lambda+2]=0",
@@ -143,8 +140,7 @@ def _inner_slow() -> Entry:
         return [rates["z"], ALGEBRA.replaced(parts["equation"], "g", powers, ALGEBRA.constant(1))]
 
     inner = ALGEBRA.read(PRINTED["4-inner"]["equation"])
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-inner-slow",
         "eqn:de_inner",
         r"\alpha_3^*\hat b-\alpha_1^*s\hat b'-2\hat b'''=0",
@@ -195,8 +191,7 @@ def _theta() -> Entry:
             return replace(check, agrees=None, finding="the sign of κ is open")
         return check
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-theta",
         "eq:hypergeomeqn, line 1176",
         r"\theta'''-\tau\theta'+\beta\theta=0,\quad \tau=\kappa s,\ \kappa=(-\alpha_1^*/2)^{1/3}>0",
@@ -236,8 +231,7 @@ def _scaling() -> Entry:
     def reduced(parts: Parts) -> list[fmpq_mpoly]:
         return [_on_slow_system(parts[name], parts[f"{name} factor"], name) for name in ("y", "z", "lambda")]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-inner-scaling",
         "eq:inner_scaling (y, z, λ_N)",
         r"\delta^2\alpha_3^*\hat y/\epsilon^2=2\hat b',\ \delta^2\alpha_3^*\hat z/\epsilon^2=\hat b',\ "
@@ -255,8 +249,7 @@ def _scaling() -> Entry:
 def _scaling_v() -> Entry:
     this = _claim("4-inner-scaling-v")
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-inner-scaling-v",
         "eq:inner_scaling (v)",
         r"\delta^2\alpha_3^*\hat v/\epsilon=2\hat b''",

@@ -12,7 +12,7 @@ from flint import arb, fmpq, fmpq_mpoly
 
 from gspot_verified.numbers.balls import certainly_less, working_bits
 from gspot_verified.paper.appendix_a.theta_pages import NEGATIVE
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import evaluate_text
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.section_4.section_4_inner import INNER_SCALE, scaled
@@ -21,7 +21,7 @@ from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
 from gspot_verified.paper.section_4.section_4_slow import PRINTED as SLOW
 from gspot_verified.theta_function.value.routes import theta_by
 
-SECTION = "Section 4"
+SECTION = Section("Section 4")
 ALGEBRA = Algebra("beta K E D S alpha1")
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
@@ -125,8 +125,7 @@ def _matching() -> Entry:
         ]
 
     leading = "Θ(τ, β) ~ (-τ)^β as τ → −∞ (entry A-leading)"
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-matching",
         "eq:bhat_inner",
         r"\hat b(s)=C_1\kappa^{-\beta}\epsilon^{2\beta/3}\Theta(\kappa s,\beta)\sim C_1(-t)^\beta",
@@ -135,8 +134,7 @@ def _matching() -> Entry:
         NEGATIVE.carries(
             this.check(f"{leading}; both sides solve the slow equation and agree at τ = -1", slow_equation)
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"both sides in numbers, Θ by its integral: at κ = {KAPPA}, ε = {EPSILON}, β = "
             f"{', '.join(map(str, BETAS))} they differ less the larger -s is, like s^(-3)",
             all_of(sides_approach(beta) for beta in BETAS),
@@ -156,8 +154,7 @@ def _matching_middle() -> Entry:
         outer = ALGEBRA.read(PRINTED["4-matching"]["outer"])
         return [outer * _log_time() - _in_delta(parts["middle"])]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-matching-middle",
         "eq:bhat_inner, line 1227",
         r"C_1\kappa^{-\beta}\epsilon^{2\beta/3}(-\kappa s)^\beta=C_1(-\epsilon^{2/3}s)=C_1(-t)^\beta",
@@ -208,8 +205,7 @@ def _exponents() -> Entry:
         wanted = {"b": b, "lambda": force, "z": z, "y": z, "v": z - rate}
         return [value - wanted[name] for name, value in parts.items()]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-exponents",
         "lines 1235 to 1239",
         r"\hat b,\hat y,\hat v,\hat z,\hat\lambda_N=O(\epsilon^{2\beta/3}),O(\epsilon^{(2\beta+4)/3}),"
@@ -241,18 +237,15 @@ def _table() -> Entry:
         within.append(2 * abs(error) <= fmpq(*unit.as_integer_ratio()))
         exact = _at(derived_exponents()[name], beta)
         rounded.append((Decimal(int(exact.p)) / int(exact.q)).quantize(unit, ROUND_HALF_EVEN) == Decimal(text))
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-table",
         "tab:exponents(b)",
         r"2\beta/3,\ (2\beta+2)/3,\ (2\beta+4)/3,\ 2/3 \text{ at } \beta=0.5,\ 1.5,\ 2.5",
         "The theoretical exponents of Table 1 are 2β/3, (2β+2)/3, (2β+4)/3 and 2/3 at β = 1/2, 3/2 and 5/2, rounded to "
         "the printed decimals",
-        Check(Rung.EXACT, "each of the twelve is the stated formula within half a unit", all(within) or None),
-        Check(
-            Rung.EXACT,
-            "the exponents of bhat_inner and the recovery formulas in decimals, rounded",
-            all(rounded) or None,
+        Rung.EXACT.check("each of the twelve is the stated formula within half a unit", all(within) or None),
+        Rung.EXACT.check(
+            "the exponents of bhat_inner and the recovery formulas in decimals, rounded", all(rounded) or None
         ),
         note="The measured values, part (a) of the table: entries 3-table-1-b-1_2 and so on.",
     )

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_4.section_4_inner import PRINTED as INNER
@@ -69,8 +69,7 @@ def airy_leading_term_cancels() -> bool:
 def _behaves_like() -> Entry:
     finding = "Θ + θ ~ (-τ)^β for every oscillating solution θ"
     at_half = "β = 1/2: θ = τ Ai(cτ) Bi(cτ) - 4c² Ai'(cτ) Bi'(cτ), 4c³ = 1, is O(1/τ), so that Θ + θ ~ (-τ)^(1/2)"
-    return settled(
-        "Section 4",
+    return Section("Section 4").settled(
         "4-behaves-like",
         "line 1219",
         r"\text{there is a unique solution } \Theta(\tau,\beta) \text{ that behaves like } (-\tau)^\beta",

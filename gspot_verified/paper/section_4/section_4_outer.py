@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
-SECTION = "Section 4"
+SECTION = Section("Section 4")
 ALGEBRA = Algebra(
     "alpha1 alpha2 alpha3 beta epsilon delta t s tau p c lam kappa k x w y v z Y0 Y1 V0 V1 Z0 Z1 "
     "b0 b1 b2 b3 b4 b5 f0 f1 f2 f3 f4 g0 g1 g2 g3 g4 h0 h1 h2 h3"
@@ -92,8 +92,7 @@ def _eliminated() -> Entry:
         ]
 
     this = claim("4-eliminated")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-eliminated",
         "eq:modelSysTEliminated",
         r"\alpha_3^*b+\alpha_1^*t(\alpha_2^*-\dot b)+\epsilon[\ldots]-2\epsilon^2\dddot b-\epsilon^3\ddddot b=0",
@@ -124,8 +123,7 @@ def _order() -> Entry:
         terms = ALGEBRA.determinant(rows).to_dict()
         return [parts["order"] - len(states)] if len(terms) == 1 else []
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-order",
         "line 986",
         r"\text{a more convenient 3rd-order single equation for } b(t)",
@@ -171,8 +169,7 @@ def _on_solutions(parts: Parts, free: bool) -> list[fmpq_mpoly]:
 def _recover() -> Entry:
     this = claim("4-recover")
     equation = ALGEBRA.read(PRINTED["4-eliminated"]["equation"])
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-recover",
         "eqs. modelSysRecoverY to modelSysRecoverLN",
         r"\alpha_3^*y=\epsilon^2[\ldots],\ \ldots,\ \alpha_3^*\lambda_N=\alpha_2^*-\dot b",
@@ -201,8 +198,7 @@ def _deviation() -> Entry:
     this = claim("4-deviation")
     whole = ALGEBRA.read(PRINTED["4-eliminated"]["equation"])
     as_f = {f"b{k}": _SYMBOLS[f"f{k}"] for k in range(5)}
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-deviation",
         "eq:modelSysDev",
         r"\alpha_3^*\hat b-\alpha_1^*t\dot{\hat b}+\epsilon[\ldots]-\ldots=0",
@@ -223,8 +219,7 @@ def _deviation() -> Entry:
 def _deviation_recover() -> Entry:
     this = claim("4-deviation-recover")
     equation = ALGEBRA.read(PRINTED["4-deviation"]["equation"])
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-deviation-recover",
         "eqs. modelSysDevRecoverY to modelSysDevRecoverLN",
         r"\alpha_3^*\hat y=\ldots,\ \ldots,\ \alpha_3^*\hat\lambda_N=-\dot{\hat b}",

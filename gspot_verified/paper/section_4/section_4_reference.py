@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.paper import printed_number
 from gspot_verified.paper.checks.words import quoted
 
@@ -28,15 +28,13 @@ def is_a_numbered_environment() -> bool | None:
 
 
 def _reference() -> Entry:
-    return settled(
-        "Section 4",
+    return Section("Section 4").settled(
         "4-reference",
         LABEL,
         r"\text{Inserting this into (...); the equation (...) is linear in }b",
         "The references in lines 1025 and 1378 name the equation for b of line 984 by its number",
-        Check(Rung.EXACT, "LaTeX's counters up to the display", has_a_number(), "the display has no number"),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check("LaTeX's counters up to the display", has_a_number(), "the display has no number"),
+        Rung.EXACT.check(
             "the environment of the label and the references, in the source",
             is_a_numbered_environment(),
             "equation*: the reference cannot print a number of this display",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Claim, Parts
 from gspot_verified.paper.section_4.section_4_outer import ALGEBRA, field
 from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
@@ -45,8 +45,7 @@ def _beta() -> Entry:
         matrix = phase_plane()
         return [matrix[1][1] * parts["denominator"] - matrix[0][0] * parts["numerator"]]
 
-    return settled(
-        "Section 1",
+    return Section("Section 1").settled(
         "1-beta",
         "line 380",
         r"\beta=\alpha_1/\alpha_3",
@@ -106,8 +105,7 @@ def _slow() -> Entry:
         balanced = [*rates.values(), force - parts["z"] + parts["y"], slope, ALGEBRA.substitute(power, _WITH_BETA)]
         return [*balanced, nothing_else_solves(parts)]
 
-    return settled(
-        "Section 4",
+    return Section("Section 4").settled(
         "4-slow",
         "eq:example_outer, lines 1117 to 1136",
         r"\hat b=C_1(-t)^\beta,\ C_2t^\beta;\ \frac{\hat y}{\epsilon^2}=\frac{2\hat b}{\alpha_1^*t},\ \hat v=0,\ "

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from flint import fmpq_mpoly
 
 from gspot_verified.paper.checks.closed_forms import ClosedForm, rational
-from gspot_verified.paper.checks.entry import Builders, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, put
 from gspot_verified.paper.checks.identities import Claim, Parts
 from gspot_verified.paper.section_2.extended_system import extended_terms
@@ -92,8 +92,7 @@ def _trivial() -> Entry:
         motion = [_rate(p) - _SYMBOLS["alpha1"], ALGEBRA.coefficient_of(p, "t", 0)]
         return [*motion, *recovered(parts["b"], {"v": parts["v"]})]
 
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-trivial",
         "eqs. modelSysDistP, modelSysDistB, modelSysDistV",
         r"\bar p=\alpha_1^*t,\quad \bar b=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}\alpha_1^*t,\quad \bar v=0",
@@ -114,8 +113,7 @@ def _trivial() -> Entry:
 
 def _trivial_zy() -> Entry:
     this = _claim("2-trivial-zy")
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-trivial-zy",
         "eq:modelSysDistZY",
         r"\bar z=\frac{\bar y}2=-\epsilon^2\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}",
@@ -156,8 +154,7 @@ def _in_contact() -> Entry:
         return [forms["force"] * closed_form(force) for case in IN_CONTACT.values() for force in on_trivial(text, case)]
 
     claim = FormulaClaim(CONTACT_SIGNS)
-    return settled(
-        "Section 2",
+    return Section("Section 2").settled(
         "2-trivial-contact",
         "lines 599 to 608",
         r"\text{assuming }y<z",
@@ -188,8 +185,7 @@ def _trivial_in_case_i() -> Entry:
         force = on_trivial("({z}-({y}))/epsilon^2".format(**rest))
         return [sign * closed_form(text) for text in force for sign in (forms["force"], rational(-1) * forms["b p"])]
 
-    return settled(
-        "Section 3",
+    return Section("Section 3").settled(
         "3-case-I-trivial",
         "lines 766 to 767",
         r"bp>0,\text{ implying }\lambda_N<0",

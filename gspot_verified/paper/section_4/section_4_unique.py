@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Claim, Parts, Route, rising_signs
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_2.extended_system import extended_terms
@@ -17,7 +17,7 @@ from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
 from gspot_verified.paper.section_4.section_4_trivial import CORRECTED as TRIVIAL
 from gspot_verified.paper.section_4.section_4_trivial import first_terms
 
-SECTION = "Section 4"
+SECTION = Section("Section 4")
 _PAGE = "smooth_trajectory"
 _SYMBOLS = ALGEBRA.symbols
 _WITH_BETA = {"alpha3": ALGEBRA.read("beta*alpha1")}
@@ -137,8 +137,7 @@ def _unique() -> Entry:
     def on_page(what: str, route: Route) -> Check:
         return Page(_PAGE, (differs_from_integers,)).carries(this.check(what, route))
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-unique",
         "lines 1020 to 1058",
         r"\bar b(t,\epsilon)=\frac{\alpha_2^*}{1-\beta}t",
@@ -191,8 +190,7 @@ def deviation_solves() -> bool:
 
 def _smooth() -> Entry:
     finding = "b = c α_1 t + exp(-1/ε²) φ solves it too, and exp(-1/ε²) φ is smooth in t and ε >= 0"
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "4-unique-smooth",
         "lines 1015 to 1018",
         r"\text{it is the only solution that is smooth in } t \text{ and } \epsilon",

@@ -17,7 +17,7 @@ from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.appendix_a import hypergeometric as appendix
 from gspot_verified.paper.appendix_a.theta_pages import IWC, SIGNS_INTEGRAL, SIGNS_RIGHT
 from gspot_verified.paper.checks.closed_forms import ClosedForm, rational
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of, same_sign
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, mended, put
 from gspot_verified.paper.checks.gamma_cells import induction
 from gspot_verified.paper.checks.identities import in_greek
@@ -29,7 +29,7 @@ from gspot_verified.signs.cover.sign import sign as sign_on_ranges
 from gspot_verified.signs.gamma.side import side as side_switching
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-SECTION = "Section 4.5"
+SECTION = Section("Section 4.5")
 PRINTED: dict[str, dict[str, str]] = {
     "S-iwc": {"sign": "-1"},
     "S-wording": {
@@ -75,8 +75,7 @@ def _iwc() -> Entry:
     sign = sign_of(appendix.value_of(PRINTED["S-iwc"]["sign"], fmpq(1, 2), 64)) or 0
     cover = sign_on_ranges("-inf..inf", BETA_RANGE["S-iwc"], sign)
     pieces = [piece.kind.value for column in cover.columns for piece in column.pieces]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-iwc",
         "lines 1278 to 1291 (Cases I and II)",
         r"\frac{d\Theta}{d\tau}(\tau,\beta)<0\quad(\tau\in\mathbb R,\ 0<\beta<1)",
@@ -91,8 +90,7 @@ def _iwc() -> Entry:
                 ],
             ),
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
             "a cover by Taylor models on boxes between",
             _ANSWERS[cover.verdict.outcome],
@@ -113,8 +111,7 @@ def _theta_wording() -> Entry:
         return [rational(-1) * form for form in forms.values()]
 
     vanishing = closed_form(put(CORRECTED["S-wording"]["far left"], **HYPOTHESES["S-wording"])).exponent("x")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-wording",
         "line 1287",
         r"\Theta \text{ is very negative for large } |\tau| \text{ and for } \tau=0",
@@ -125,8 +122,7 @@ def _theta_wording() -> Entry:
             lambda forms: [*all_negative(forms), rational(-vanishing)],
             finding="Θ(0) > 0 and (-τ)^β > 0 for every β in (0, 1); dΘ/dτ is negative at all three places",
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "Θ(-20, 3/10) and Θ(0, 3/10)",
             mended(_negative(values), _negative(slopes)),
             f"Θ > 0 at τ = {places[0]} and τ = {places[1]}, dΘ/dτ < 0 there and at τ = 20",
@@ -167,8 +163,7 @@ def _lift_off_side() -> Entry:
             side = evaluate_text(PRINTED["S-side"]["side"], values, 64).real
             with working_bits(64):
                 answers.append(same_sign(sign_of(mean + deviation), sign_of(side)))
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-side",
         "line 1299 (Case III)",
         r"C_1/\Gamma(-\beta)<0",
@@ -181,10 +176,8 @@ def _lift_off_side() -> Entry:
                 lambda forms: _force_far_right("S-side", forms["side"]),
             ),
         ),
-        Check(
-            Rung.POINTS,
-            "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β",
-            all_of(answers),
+        Rung.POINTS.check(
+            "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β", all_of(answers)
         ),
         note="At leading order and for τ large; for all τ see S-iwc-case-III, for the compliant model C-lift-off.",
     )
@@ -202,8 +195,7 @@ def _other_side() -> Entry:
     )
     images = HYPOTHESES["S-iwc-case-III"]
     power = closed_form(put(FORCE["S-dominance"]["exponent"], **images))
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-iwc-case-III",
         "lines 1304 to 1305 (Case III)",
         r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
@@ -216,8 +208,7 @@ def _other_side() -> Entry:
                 lambda forms: [*_force_far_right("S-iwc-case-III", forms["side"]), power],
             ),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "certified minimum of C_1 dΘ/dτ on [-10, ∞) from all its critical points, at five values of β; "
             "α_1 = α_2 = -1, |C_1| = 1",
             all_of([holds, *(same_sign(side, 1) for side in sides)]) if len(bounds) == len(results) else None,
@@ -258,8 +249,7 @@ def _growth() -> Entry:
     positive = claim.under(**HYPOTHESES["S-growth"]).check_sign(
         "the rate and the power are positive", lambda forms: list(forms.values())
     )
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-growth",
         "line 1302",
         r"\tau_{\text{lift-off}}\sim\log(\varepsilon)^{2/3}",
@@ -267,8 +257,7 @@ def _growth() -> Entry:
         "grows like |log ε|^(2/3) as ε → 0",
         SIGNS_RIGHT.carries(_rising(by_saddle, positive)),
         growth.GROWS.carries(_rising(by_means, positive)),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "certified brackets of a zero of λ_N beyond τ = 2: its ratio to the law tends to 1",
             all_of(True if bracket.closer_than_before else None for bracket in brackets),
             "; ".join(str(bracket) for bracket in brackets),
@@ -285,8 +274,7 @@ def _switching() -> Entry:
     middles = [(i.lower + i.upper) / 2 for i in found.intervals]
     signs = [sign_of(appendix.value_of(function, fmpq(*beta.as_integer_ratio()), 64)) for beta in middles]
     by_ball = all_of(same_sign(sign, i.sign) for sign, i in zip(signs, found.intervals, strict=True))
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-switching",
         "line 1309",
         r"\Gamma(-\beta)\text{ changes sign at every positive integer}",
@@ -297,8 +285,7 @@ def _switching() -> Entry:
             "symbol β (proofs/side_switching.md)",
             lambda _: induction(function),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the intervals of [1/2, 61/2] alternate, and an enclosure of Γ(-β) at each midpoint has their sign",
             all_of([alternate and found.integers == tuple(range(1, 31)), by_ball]),
         ),

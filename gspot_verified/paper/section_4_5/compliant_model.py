@@ -29,12 +29,12 @@ from gspot_verified.numbers.balls import (
 )
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.closed_forms import ClosedForm
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of, same_sign
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, put
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
-SECTION = "Section 4.5"
+SECTION = Section("Section 4.5")
 PRINTED: dict[str, dict[str, str]] = {
     "C-cases-I-II": {"side": "1"},
     "C-iwc-case-III": {"side": "C_1/Gamma(-beta)"},
@@ -149,8 +149,7 @@ def _cases_one_and_two() -> Entry:
     forces = [contact_force(beta, alpha_2=0) for beta in BELOW_ONE]
     runs = [(force, epsilon) for force in forces for epsilon in (EPSILON, fmpq(10))]
     rows = [(force, [slow_force(force, tau, epsilon) for tau in TAUS], epsilon) for force, epsilon in runs]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "C-cases-I-II",
         "lines 1278 to 1291 (Cases I and II)",
         r"\hat\lambda_N>0\quad(0<\beta<1,\ C_1<0)",
@@ -163,8 +162,7 @@ def _cases_one_and_two() -> Entry:
                 lambda forms: _over_the_side("C-cases-I-II", forms, "1-beta"),
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "certified values on the slow manifold at three β, τ = -20, 0, 6, ε = 1/1000 and 10: their sign, that they "
             "rise, and that they are the factor times the integral, which is found by quadrature",
             all_of(is_the_factor_times_an_integral(*row) for row in rows),
@@ -195,8 +193,7 @@ def _case_three() -> Entry:
         answers += [same_sign(sign_of(value), 1) for value in tried]
         answers += [True if exact.lower >= leading.epsilon_0 else None, _side_at("C-iwc-case-III", leading.force, 1)]
         shown.append(f"β = {beta}: ε_0 >= {rounded_text(float_bounds(arb(exact.lower))[0], -1, 4)}")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "C-iwc-case-III",
         "lines 1304 to 1305 (Case III)",
         r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
@@ -209,8 +206,7 @@ def _case_three() -> Entry:
                 lambda forms: _over_the_side("C-iwc-case-III", forms, "4-(beta-1)"),
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the exact ε_0 for τ >= -10 at three values of β, not below that at leading order; certified values of the "
             "force just below it",
             all_of(answers),
@@ -235,8 +231,7 @@ def _lift_off() -> Entry:
             shown.append(
                 f"β = {beta}: τ_lo = {approximate(found.lower):.4f}, κ = {approximate(arb(found.kappa or 0)):.3g}"
             )
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "C-lift-off",
         "line 1299 (Case III)",
         r"C_1/\Gamma(-\beta)<0",
@@ -249,8 +244,7 @@ def _lift_off() -> Entry:
                 lambda forms: _over_the_side("C-lift-off", forms, "4-(beta-1)"),
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "certified lift-off times at ε = 1/1000, three values of β; for every smaller ε the time lies between "
             "τ_LO - κ (η/8) τ_LO^(3/2) and τ_LO, that at leading order",
             all_of(answers),

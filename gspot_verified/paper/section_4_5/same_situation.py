@@ -5,7 +5,7 @@ from __future__ import annotations
 from flint import fmpq
 
 from gspot_verified.numbers.balls import sign_of
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.section_4_5.section_4_5_signs import PRINTED as SIGNS
 from gspot_verified.signs.gamma.side import gamma_sign
@@ -36,22 +36,19 @@ def is_so_at_zero(form: str) -> bool | None:
 
 def _same_situation() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        "Section 4.5",
+    return Section("Section 4.5").settled(
         "S-same-situation",
         "lines 1304 to 1305, 2300 to 2304",
         r"\text{for the other sign of }C_1\Gamma(-\beta)\text{ we are in the same situation as above; }"
         r"\tilde{\hat y}\ll0\text{ for }s=0",
         "Case III on the side of the impact is in the situation of Cases I and II: the deviation of λ_N is positive "
         "at τ → -∞, 0 and ∞ (and y-hat is negative at s = 0)",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             f"β = {BETA}, τ → -∞: C_1 has the sign of Γ(-β), and dΘ/dτ < 0 (S-minus-infinity)",
             mended(*map(is_so_far_left, forms)),
             "C_1 > 0, so the deviation of λ_N is negative there",
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             f"β = {BETA}, τ = 0: an enclosure of dΘ/dτ",
             mended(*map(is_so_at_zero, forms)),
             "dΘ/dτ < 0 there, so the deviation of λ_N is negative and that of y positive",

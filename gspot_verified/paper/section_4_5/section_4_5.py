@@ -10,7 +10,7 @@ from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import certainly_less, working_bits
 from gspot_verified.paper.checks.closed_forms import ALGEBRA, ClosedForm, rational
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import (
     Forms,
     FormulaClaim,
@@ -27,7 +27,7 @@ from gspot_verified.paper.section_4.section_4_trivial import PRINTED as TRIVIAL
 from gspot_verified.paper.section_4_5 import section_4_5_signs
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-SECTION = "Section 4.5"
+SECTION = Section("Section 4.5")
 PRINTED: dict[str, dict[str, str]] = {
     "S-mean-force": {"force": "alpha2/(alpha1-alpha3)"},
     "S-deviation-force": {"force": "-C_1/alpha3*kappa^(1-beta)*epsilon^((2*beta-2)/3)*slope"},
@@ -56,8 +56,7 @@ def _mean_force() -> Entry:
     values = {"alpha1": fmpq(-1), "alpha2": fmpq(-1), "alpha3": fmpq(-3, 2)}
     printed, corrected = (rational_value(table["S-mean-force"]["force"], **values) for table in (PRINTED, CORRECTED))
     example = f"at α = (-1, -1, -3/2) the equations give {corrected}, the printed form {printed}"
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-mean-force",
         "line 1250",
         r"\bar\lambda_N=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}",
@@ -80,8 +79,7 @@ def _mean_force() -> Entry:
 def _deviation_force() -> Entry:
     claim = FormulaClaim(PRINTED["S-deviation-force"])
     betas = (fmpq(1, 2), fmpq(3, 2), fmpq(7, 3))
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-deviation-force",
         "line 1251",
         r"\hat\lambda_N=-\frac{C_1}{\alpha_3^*}\kappa^{1-\beta}\varepsilon^{(2\beta-2)/3}\frac{d\Theta}{d\tau}",
@@ -94,8 +92,7 @@ def _deviation_force() -> Entry:
             "eq. inner_scaling: δ² α_3 λ = -db/ds with δ = ε^(1/3), t = ε^(2/3) s, for a symbol β",
             lambda forms: [_by_inner_scaling() / forms["force"]],
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "difference quotient of C_1 κ^(-β) ε^(2 β/3) Θ(κ t ε^(-2/3)) in t, in balls",
             all_of(_difference_quotient(beta) for beta in betas),
         ),
@@ -135,8 +132,7 @@ def _difference_quotient(beta: fmpq) -> bool | None:
 def _force_sign() -> Entry:
     claim = FormulaClaim(PRINTED["S-force-sign"]).under(**HYPOTHESES["S-force-sign"])
     images = HYPOTHESES["S-force-sign"]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-force-sign",
         "line 1255",
         r"\operatorname{sign}\hat\lambda_N=\operatorname{sign}(C_1\,d\Theta/d\tau)",
@@ -161,8 +157,7 @@ def _dominance() -> Entry:
         below, above = (closed_form(put(exponent, beta=images[name])) for name in ("dominates", "is dominated"))
         return [rational(-1) * below, above]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-dominance",
         "lines 1253, 1285 and 1296",
         r"\varepsilon^{(2\beta-2)/3}",
@@ -178,8 +173,7 @@ def _dominance() -> Entry:
                 forms["exponent"] / closed_form(f"({MATCHING['4-exponents']['lambda']})/3"),
             ],
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "size of the power at ε = 1e-6, β = 0.1, ..., 12.9",
             all_of(_is_large(beta) for beta in section_4_5_signs.GRID if beta != 1),
         ),

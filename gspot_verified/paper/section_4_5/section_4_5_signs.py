@@ -11,7 +11,7 @@ from gspot_verified.numbers.balls import ball_text, sign_of, working_bits
 from gspot_verified.paper.appendix_a import hypergeometric as appendix
 from gspot_verified.paper.appendix_a.theta_pages import INITIAL_VALUES, SIGNS_LEFT, SIGNS_RIGHT
 from gspot_verified.paper.checks.closed_forms import ClosedForm, rational
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, same_sign, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of, same_sign
 from gspot_verified.paper.checks.formulas import FormulaClaim, closed_form, mended, put, quotient, rational_value
 from gspot_verified.paper.checks.gamma_cells import induction, is_cell, sign_on_cell
 from gspot_verified.paper.checks.identities import in_greek
@@ -20,7 +20,7 @@ from gspot_verified.signs.cover.tails import left_threshold
 from gspot_verified.signs.gamma.side import gamma_sign_by_ball
 from gspot_verified.theta_function.value.evaluate import evaluate
 
-SECTION = "Section 4.5"
+SECTION = Section("Section 4.5")
 PRINTED: dict[str, dict[str, str]] = {
     "S-minus-infinity": {"sign": "-1"},
     "S-zero": {"sign of": "Gamma((1-beta)/3)/Gamma(-beta)"},
@@ -65,8 +65,7 @@ def _sign_at_minus_infinity() -> Entry:
         )
         for beta in GRID
     )
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-minus-infinity",
         "eq:dTheta_sign, first row",
         r"\frac{d\Theta}{d\tau}<0\ (\tau\to-\infty)",
@@ -78,7 +77,7 @@ def _sign_at_minus_infinity() -> Entry:
                 lambda forms: [closed_form(put(leading, **HYPOTHESES["S-minus-infinity"])) / forms["sign"]],
             ),
         ),
-        Check(Rung.POINTS, "certified sign at -T(β) for β = 0.1, 0.2, ..., 12.9", agrees),
+        Rung.POINTS.check("certified sign at -T(β) for β = 0.1, 0.2, ..., 12.9", agrees),
     )
 
 
@@ -100,8 +99,7 @@ def _sign_at_zero() -> Entry:
         same_sign(sign_of(evaluate(0, n, derivative=1).value), int(rational_value(at_integers[str(n % 3)]).p))
         for n in range(1, 16)
     )
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-zero",
         "eq:dTheta_sign, second row",
         r"\operatorname{sign}\frac{d\Theta}{d\tau}(0)=\operatorname{sign}\frac{\Gamma((1-\beta)/3)}{\Gamma(-\beta)}",
@@ -114,9 +112,8 @@ def _sign_at_zero() -> Entry:
             "the entire form of Θ'(0) over it is positive, by Gauss's multiplication formula, for a symbol β",
             lambda forms: [closed_form(appendix.ENTIRE_INITIAL_VALUES["t02"]) / forms["sign of"]],
         ),
-        Check(Rung.POINTS, "both signs certified at β = 0.1, ..., 12.9 without the integers", agrees),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check("both signs certified at β = 0.1, ..., 12.9 without the integers", agrees),
+        Rung.POINTS.check(
             "at integers: the coefficient of τ in Θ(τ, 3 m + 1) for all m >= 0, and the exact values at β = 1, ..., 15",
             integers if _coefficient_at_integers().sign() == 1 else None,
         ),
@@ -142,8 +139,7 @@ def _sign_at_infinity() -> Entry:
     )
     leading = closed_form(f"({put(appendix.INTEGER_POLYNOMIAL, m='0')})*n/tau")
     at_integers = AT_INTEGERS["S-plus-infinity"]["leading"]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-plus-infinity",
         "eq:dTheta_sign, third row",
         r"\frac{d\Theta}{d\tau}\to\infty\cdot\frac1{\Gamma(-\beta)}",
@@ -155,7 +151,7 @@ def _sign_at_infinity() -> Entry:
                 lambda forms: [growth / forms["sign of"], rational(growth.exponent("e"))],
             ),
         ),
-        Check(Rung.POINTS, "certified sign at τ = 60 for β = 0.1, ..., 12.9 without the integers", agrees),
+        Rung.POINTS.check("certified sign at τ = 60 for β = 0.1, ..., 12.9 without the integers", agrees),
         INITIAL_VALUES.carries(
             FormulaClaim({"leading": at_integers}).check(
                 "the leading term of dΘ/dτ at β = n, for all n",
@@ -171,8 +167,7 @@ def _gamma_intervals() -> Entry:
     with working_bits(64):
         values = [arb(fmpq(n, 2)).gamma() for n in (-1, -3)]
     texts = {name: text.replace("*", "") for name, text in CORRECTED["S-gamma-intervals"].items()}
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-gamma-intervals",
         "line 1269",
         r"\Gamma(-\beta)<0 \text{ on } (2n-1,2n),\quad \Gamma(-\beta)>0 \text{ on } (2n-2,2n)",
@@ -189,8 +184,7 @@ def _gamma_intervals() -> Entry:
             finding="Γ(-β) > 0 on (2n-1, 2n), and (2n-2, 2n) holds a pole and both signs; the corrected form holds for "
             "all n",
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "enclosures of Γ(-β) at two points of each interval, n = 1, ..., 4",
             mended(_signs_by_ball(PRINTED["S-gamma-intervals"]), _signs_by_ball(CORRECTED["S-gamma-intervals"])),
             f"Γ(-1/2) in {ball_text(values[0], 8)}, Γ(-3/2) in {ball_text(values[1], 8)}",
@@ -203,8 +197,7 @@ def _gamma_intervals() -> Entry:
 
 
 def _gamma_name() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "S-gamma-name",
         NAMED,
         r"\text{Here }Gamma\text{ represents the Gamma function}",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import rising_signs
 from gspot_verified.paper.section_1.section_1_cases import ALGEBRA, RATES, in_case
 
@@ -39,20 +39,17 @@ def _leaves_the_line() -> bool:
 
 
 def _strong_stable() -> Entry:
-    return settled(
-        "Section 4.5",
+    return Section("Section 4.5").settled(
         "1-strong-stable",
         "lines 1278 to 1281",
         r"\alpha_2p=(\alpha_1-\alpha_3)b",
         "Cases I and II, Gspot1 and Gspot2: the distinguished trajectory α_2 p = (α_1 - α_3) b is the strong stable "
         "manifold of the G-spot",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the line is an eigenvector for the rate α_1, and α_1 < α_3 < 0",
             all_of([_is_a_line(), _is_eigenvector(), _is_strong()]) or None,
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the distance from the line has the slower rate α_3, so that only on the line is the approach as e^(α_1 s)",
             all_of([_is_a_line(), _leaves_the_line(), _is_strong()]) or None,
         ),

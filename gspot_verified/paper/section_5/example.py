@@ -7,12 +7,12 @@ from functools import partial
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.section_2.extended_system import extended_terms
 from gspot_verified.paper.section_5.double_series import example_series, scaled_series
 
-SECTION = "Section 5, example"
+SECTION = Section("Section 5, example")
 ALGEBRA = Algebra("s delta t epsilon chi")
 _SYMBOLS = ALGEBRA.symbols
 PRINTED: dict[str, dict[str, str]] = {
@@ -82,8 +82,7 @@ def _series(name: str) -> Entry:
     identifier = f"5-example-{name}"
     this = Claim(ALGEBRA, PRINTED[identifier])
     what = {"b": "δ^6 (its error term: entry 5-example-b-error)"}.get(name, "the stated error term")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         identifier,
         {"p": "line 1848", "b": "line 1853", "y": "line 1859", "v": "line 1865", "z": "line 1870"}[name],
         _LATEX[name],
@@ -108,8 +107,7 @@ def _b_error() -> Entry:
         through = series - found("b", _order(parts))
         return [ALGEBRA.coefficient_of(exact, "delta", 7) - parts["term 7"], through]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-example-b-error",
         "line 1857",
         r"\tilde{\bar b}=\ldots+\mathcal O(\delta^8)",
@@ -152,8 +150,7 @@ def _zbar() -> Entry:
         scaled = sum(terms, start=ALGEBRA.constant(0))
         return [total - parts["first"], total - parts["second"], scaled - parts["scaled"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-example-zbar",
         "lines 1896 to 1906",
         r"\bar z=\epsilon^2(-2-8t-24t^2-\tfrac{368}5t^3+(8+48t)\epsilon+\tfrac{6672}5\epsilon^2"

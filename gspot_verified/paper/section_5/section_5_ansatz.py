@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.checks.leading_order import leading
 from gspot_verified.paper.section_5.section_5_outer import PRINTED as OUTER
 
-SECTION = "Section 5, outer system and matching"
+SECTION = Section("Section 5, outer system and matching")
 ALGEBRA = Algebra(
     "w T r t beta alpha1 alpha2 alpha3 xi0 p0 b0 lambda0 m G F chi p b f1 f2 g1 g2 m2 a1 a2 c1 c2 e1 e2 q2 n0 n1 X L P"
 )
@@ -109,8 +109,7 @@ def _ansatz() -> Entry:
                 found.append(value - ALGEBRA.substitute(parts[name], {"r": ALGEBRA.constant(r)}) * minus**power)
         return found
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-ansatz",
         "lines 2013 to 2016",
         r"-r\xi_0-G^*\lambda_0,\ -(r+1)p_0-{\alpha_1}_\xi^*\xi_0,\ \ldots",
@@ -152,8 +151,7 @@ def _solution() -> Entry:
         force = p * parts["alpha1 lambda0"] * _SYMBOLS["T"] + alpha1 * in_b["z"] * hat["b"]
         return [ALGEBRA.substitute(ALGEBRA.substitute(rate, {"r": parts["r"]}), _BETA), quotient, force]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-ansatz-solution",
         "lines 2019 to 2023, eq:outerb_gen",
         r"r=\beta,\quad \xi_0=-\frac{G^*}{\alpha_3^*}b_0,\quad \lambda_0=\frac{b_0}{\alpha_1^*}",
@@ -185,8 +183,7 @@ def _p0() -> Entry:
         free = ALGEBRA.substitute(coefficient, {"p0": ALGEBRA.constant(0)})
         return [by_p0 + _SYMBOLS["r"] + 1, *rest, -value + _SYMBOLS["alpha3"] * free]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-ansatz-p0",
         "line 2022",
         r"p_0=0",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
 ALGEBRA = Algebra("m")
@@ -43,8 +43,7 @@ def _count() -> Entry:
             at["left"] - (at["equations"] - at["conditions"]),
         ]
 
-    return settled(
-        "Section 5, Theorem 1",
+    return Section("Section 5, Theorem 1").settled(
         "5-count",
         "lines 1434 to 1438",
         "m+1,\\ m+5,\\ 4",

@@ -9,14 +9,14 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 
 from gspot_verified.paper.appendix_a.theta_pages import NEGATIVE
-from gspot_verified.paper.checks.entry import Builders, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.checks.leading_order import leading
 from gspot_verified.paper.section_2.extended_system import extended_terms
 from gspot_verified.paper.section_4.section_4_inner import PRINTED as SECTION_4
 from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURSION
 
-SECTION = "Section 5, outer system and matching"
+SECTION = Section("Section 5, outer system and matching")
 ALGEBRA = Algebra(
     "alpha1 alpha2 alpha3 beta delta kappa s tau w T chi x1 b0 b1 y0 y1 v0 v1 z0 z1 lam p a2 a3 y v g0 g1 g2 g3 "
     "h0 h1 h2 h3 hy1 hv1 hz hz1 hl hx bar bar1 barx barl q1 q2 c1 c2 d1 d2"
@@ -72,8 +72,7 @@ def _bpert_v() -> Entry:
         difference = series("y").derivative("s") - parts["factor"] * series("v")
         return [ALGEBRA.coefficient_of(difference, "delta", n) for n in range(6)]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-bpert-v",
         "line 2056",
         r"\tilde v=\epsilon^{4/3}\tilde{\bar v}(s,\epsilon^{1/3})+\epsilon^{2(\beta-1)/3}\hat v(s)",
@@ -135,8 +134,7 @@ def _perturbation() -> Entry:
         slope = 2 * parts["b'"] - _SYMBOLS["alpha3"] * _SYMBOLS["y"]
         return [inner + 2 * parts["third order"], third - 2 * parts["third order"], slope, parts["y'"] - _SYMBOLS["v"]]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-perturbation",
         "lines 2031 to 2041, 2063 to 2071",
         r"\hat b'=\alpha_3^*\hat y/2,\ \hat y'=\hat v,\ \hat v'=\hat b-\alpha_1^*s\hat y/2;\quad "
@@ -178,8 +176,7 @@ def _perturbation_theta() -> Entry:
             found.append(put(put(difference, alpha3="beta*alpha1"), alpha1="-2*kappa^3"))
         return found
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-perturbation-theta",
         "lines 2072 to 2078",
         r"\theta'''-\tau\theta'+\beta\theta=0,\quad\tau=\kappa s,\ \kappa=(-\alpha_1^*/2)^{1/3}",
@@ -219,8 +216,7 @@ def _matching() -> Entry:
                 found += [in_kappa + 3 * j, in_epsilon - 2 * j, ALGEBRA.constant(wrong)]
         return found
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-matching",
         "lines 2079 to 2083",
         r"\hat b(s)=b_0\kappa^{-\beta}\epsilon^{2\beta/3}\Theta(\kappa s,\beta)",

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.section_4 import section_4_fast
 from gspot_verified.paper.section_5 import section_5_recursion
 
-SECTION = "Section 5, outer system and matching"
+SECTION = Section("Section 5, outer system and matching")
 ALGEBRA = Algebra(
     "alpha1 alpha2 alpha3 beta epsilon delta kappa s tau p b y v z lam q G F K w T "
     "yd vd zd g0 g1 g2 g3 h0 h1 h2 h3 x1 chi a2 a3 d2 d3 c0"
@@ -77,8 +77,7 @@ def _outer_system() -> Entry:
             for name, (equation, unknown, _, power) in OUTER_LINES.items()
         ]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-outer-system",
         "lines 1926 to 1935",
         r"\epsilon\dot y_o=v_o,\ \epsilon\dot v_o=b+p\lambda_N,\ \epsilon\dot z_o=-z_o-\lambda_N,\ \lambda_N=z_o-y_o",
@@ -99,8 +98,7 @@ def _fast_system() -> Entry:
         # The slow manifold y_o = 2 b/p, v_o = 0, z_o = b/p must be its equilibrium; b = p q.
         return [put(parts[name], b="p*q", y="2*q", v="0*q", z="q") for name in "yvz"]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-fast-system",
         "line 1942",
         r"\epsilon(\dot y_o,\dot v_o,\dot z_o)^T=M(y_o,v_o,z_o)^T",
@@ -135,8 +133,7 @@ def _fast_polynomial() -> Entry:
     def section_4(parts: Parts) -> list[fmpq_mpoly]:
         return [parts["polynomial"] - ALGEBRA.read(section_4_fast.CUBIC)]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-fast-polynomial",
         "lines 1949 to 1957",
         r"\det(\lambda I-M)=\lambda^3+2\lambda^2+p\lambda+p",
@@ -178,8 +175,7 @@ def _slow_manifold() -> Entry:
         slopes = {"xi": put(ALGEBRA.read("p*F + G*K"), K="-b"), "b": put(ALGEBRA.read("p*alpha2 - alpha3*K"), K="-b")}
         return [*found, *(parts[name] - value for name, value in slopes.items())]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-slow-manifold",
         "lines 1968 to 1978",
         r"y_o=2b/p,\ v_o=0,\ z_o=b/p;\quad \dot\xi=F-Gb/p,\ \dot b=\alpha_2+\alpha_3b/p",

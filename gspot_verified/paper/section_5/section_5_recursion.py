@@ -9,11 +9,11 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 
 from gspot_verified.paper.checks.convolution import NAMES, all_pairs, product_of_geometric_series
-from gspot_verified.paper.checks.entry import Builders, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.section_5.double_series import scaled_series
 
-SECTION = "Section 5, Theorem 1"
+SECTION = Section("Section 5, Theorem 1")
 ALGEBRA = Algebra(
     "alpha1 alpha3 delta epsilon s n k chi u0 u3 b0 b1 b2 b3 r0 r1 r2 w0 q0 q1 q2 q3 l0 l1 l2 y0 y1 y2 y3 v0 v1 z0 z1 "
     "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a1n a2n fn S m0"
@@ -91,8 +91,7 @@ def _inner_system() -> Entry:
         rests = [ALGEBRA.coefficients(ALGEBRA.substitute(part, values), "delta") for part in parts.values()]
         return [value for rest in rests for power, value in rest.items() if power < orders - 1] or [ALGEBRA.constant(0)]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-inner-system",
         "eqs. specialX to specialL",
         r"\tilde\xi'=F+G\lambda_N,\ldots,\ \delta\tilde z'=-\tilde z-\lambda_N,\ \lambda_N=\tilde z-\tilde y",
@@ -140,8 +139,7 @@ def _orders() -> Entry:
         sums = (product_of_geometric_series(ALGEBRA, _sum(parts, x), 1) for x in ("b ", "v "))
         return [*linear(parts), *(value for found in sums for value in found)]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-orders",
         "eqs. p_nprime, specialBn, specialYn, specialVn, specialZn, specialLn; line 1608",
         r"r_{b,n}={\alpha_2}_n-\sum_{k=0}^{n-1}{\alpha_3}_{n-k}\lambda_k,\ r_{v,n}=\sum_{k=0}^{n-1}p_{n-k}\lambda_k",
@@ -186,8 +184,7 @@ def _third_order() -> Entry:
         third = second - _d(first, 2)
         return [parts["specialYnbis"] - second, parts["line 1667"] - first, parts["third-order_b"] - third]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-third-order",
         "eqs. specialYnbis, third-order_b, line 1667",
         r"2b_n'''+\alpha_1^*sb_n'-\alpha_3^*b_n=2r_{b,n}''+\alpha_3^*z_{n-1}'''+\alpha_1^*sr_{b,n}+\alpha_3^*r_{v,n}",
@@ -225,8 +222,7 @@ def _monomial() -> Entry:
         image = ALGEBRA.substitute(parts["image"], {"u3": s**3 * _SYMBOLS["u0"]})
         return [ALGEBRA.replaced(operator, "b", values, s) - image]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-monomial",
         "line 1691",
         r"(k\alpha_1^*-\alpha_3^*)s^k+k(k-1)(k-2)s^{k-3}",
@@ -265,8 +261,7 @@ def _step_3() -> Entry:
             force - z + y,
         ]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-step-3",
         "lines 1704 to 1707",
         r"\alpha_3^*y_n=2(b_n'-r_{b,n})-\alpha_3^*z_{n-1}',\ \ldots,\ \alpha_3^*\lambda_n=r_{b,n}-b_n',\ \ldots",
@@ -284,8 +279,7 @@ def _xinprime() -> Entry:
         images = {"f": ALGEBRA.read("fn"), "g": ALGEBRA.constant(1), "lam": _SYMBOLS["S"]}
         return [ALGEBRA.substitute(scaled, images) - (_SYMBOLS["xi1"] - parts["right side"])]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-xinprime",
         "eq:xinprime",
         r"\xi_n'=F_n+\sum_{k=0}^nG_{n-k}\lambda_n",

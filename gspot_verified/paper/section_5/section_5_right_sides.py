@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.section_5 import section_5_recursion
 
-SECTION = "Section 5, Theorem 1"
+SECTION = Section("Section 5, Theorem 1")
 Pair = tuple[int, int]
 SERIES: dict[str, Pair] = {"alpha": (0, -4), "lambda": (0, -4), "p": (1, -3), "z": (0, -1)}
 """The spaces of Theorem 1, and of a function by Lemma 2."""
@@ -86,24 +86,18 @@ def by_monomials(name: str) -> bool | None:
 
 
 def _right_sides() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-right-sides",
         "lines 1622 to 1623, 1636 to 1637, 1675 to 1676, 1718 to 1719",
         r"r_{b,2\nu},r_{\xi,2\nu}\in P_\nu,\ r_{b,2\nu+1},r_{\xi,2\nu+1}\in P_{\nu-4};\ "
         r"r_{v,n},r_n:\ P_{\nu+1},\ P_{\nu-3}",
         "With the terms of lower order in the spaces of Theorem 1, r_b, r_v, r and r_ξ of order n are in the stated "
         "spaces, for every n",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the indices of the products of two terms, of derivatives and of s times a term, ν a symbol",
             all_of(by_indices(name) for name in CLAIMED),
         ),
-        Check(
-            Rung.POINTS,
-            f"all monomials for n < {len(ORDERS)}",
-            all_of(by_monomials(name) for name in CLAIMED),
-        ),
+        Rung.POINTS.check(f"all monomials for n < {len(ORDERS)}", all_of(by_monomials(name) for name in CLAIMED)),
         note="r_b and r_v have terms of lower orders of λ and of p of the orders up to n (step 1); r_ξ, with the "
         "corrected sum of 5-xinprime, has λ_n too (step 3).",
     )
@@ -133,20 +127,17 @@ def others_are_slow() -> bool | None:
 
 
 def _inner_slow() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-inner-slow",
         "lines 2035 to 2045",
         r"\tilde z\to\tilde y/2,\quad\lambda_N=-\tilde y/2",
         "On the inner scale z is the one fast variable: at fixed y it goes to y/2 like e^(-2s/δ), and then λ_N = -y/2; "
         "no other equation has z, or a factor δ",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "specialZ and specialL at rest; the symbols of specialX to specialV",
             all_of([rests_there(), others_are_slow()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the deviation of z from y/2 in specialZ; the symbols of specialX to specialV",
             all_of([goes_there(), others_are_slow()]),
         ),

@@ -9,7 +9,7 @@ from flint import fmpq_mpoly
 from gspot_verified.expansion.series.system import GSpotError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
@@ -19,7 +19,7 @@ from gspot_verified.paper.section_5 import section_5_outer
 from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA
 from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURSION
 
-SECTION = "Section 5, Theorem 1"
+SECTION = Section("Section 5, Theorem 1")
 KINDS = {"printed": {"differential": 4, "algebraic": 1}, "corrected": {"differential": 3, "algebraic": 2}}
 """Line 1652."""
 LEFT = dict(RECURSION["5-orders"])
@@ -109,21 +109,18 @@ def counted_by_the_order(form: str) -> bool | None:
 
 def _kinds() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-kinds",
         "lines 1651 to 1653",
         r"\text{four coupled ODEs and one algebraic equation}",
         "The equations of order n, specialBn to specialZn, are four differential equations for b_n, y_n, v_n, z_n and "
         "λ_n, and specialLn is algebraic",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "which of the five left-hand sides have the derivative of an unknown",
             mended(*map(counted_by_derivatives, forms)),
             "specialBn, specialYn and specialVn; in specialZn the derivative is that of z_(n-1), which is known",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the degree in d/ds of the determinant of the five equations",
             mended(*map(counted_by_the_order, forms)),
             "the order is three, as that of third-order_b",
@@ -158,22 +155,17 @@ def differences_follow_one_by_one() -> bool | None:
 
 
 def _synchronised() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-synchronised",
         "lines 1331 to 1336",
         r"p(t_0)=\mathcal P(\xi(t_0)),\ldots\ \Rightarrow\ p(t)=\mathcal P(\xi(t)),\ldots",
         "With a continuous λ_N the further variables p, b, y, v are equal to the functions of the state at all times "
         "when they are so at one",
-        Check(
-            Rung.EXACT,
-            "the four differences satisfy a linear homogeneous equation (λ_N continuous)",
-            differences_are_linear(),
+        Rung.EXACT.check(
+            "the four differences satisfy a linear homogeneous equation (λ_N continuous)", differences_are_linear()
         ),
-        Check(
-            Rung.EXACT,
-            "one after another: p - P and b - B are constant, then v - V, then y - Y",
-            differences_follow_one_by_one(),
+        Rung.EXACT.check(
+            "one after another: p - P and b - B are constant, then v - V, then y - Y", differences_follow_one_by_one()
         ),
         note="The functions of the state satisfy the same equations: 2-slip-equations.",
     )
@@ -210,23 +202,21 @@ def one_in_a_box() -> bool | None:
 
 
 def _unique() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-locally-unique",
         UNIQUE,
         r"[\mathcal P_\xi,\mathcal B_\xi,\mathcal Y_\xi,\mathcal V_\xi,\mathcal J_\xi]\ \text{non-singular}",
         "For continuously differentiable functions: where p = b = y = v = 0 and J = 0 with a regular Jacobian, there "
         "is no other such place near by",
         Page("krawczyk", (cofactors_invert,)).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "as many functions as components of ξ, and Y the inverse of the Jacobian at x_0 = ξ*, f(ξ*) = 0: "
                 "K = ξ* + (I - Y A)(X - ξ*), where I - Y A tends to 0 as the box X shrinks to ξ*; so K lies inside a "
                 "small X, which has one zero",
                 as_many_as_components(),
             )
         ),
-        Check(Rung.POINTS, "the same test in balls at a G-spot of a mechanism", one_in_a_box()),
+        Rung.POINTS.check("the same test in balls at a G-spot of a mechanism", one_in_a_box()),
         note="It is the inverse function theorem.",
     )
 
@@ -250,8 +240,7 @@ def _closes(text: str) -> bool:
 
 
 def _brackets() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-brackets",
         BRACKETS,
         r"\text{(by reaching the G-spot }b=p=0,\quad"
@@ -259,11 +248,8 @@ def _brackets() -> Entry:
         "Every bracket of the caption of Figure 3 (line 299), of the perturbed variables (lines 2054, 2056) and of α_2 "
         "(line 2538) is closed",
         *(
-            Check(
-                Rung.EXACT,
-                f"{place}: each bracket with its partner",
-                brackets_close(place),
-                "a bracket has no partner",
+            Rung.EXACT.check(
+                f"{place}: each bracket with its partner", brackets_close(place), "a bracket has no partner"
             )
             for place in PLACES
         ),
@@ -272,8 +258,7 @@ def _brackets() -> Entry:
 
 
 def _letters() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-letters",
         LETTERS,
         r"\tilde\xi'=\tilde F(\xi)+\tilde G(\xi)\lambda_N",
@@ -284,8 +269,7 @@ def _letters() -> Entry:
 
 
 def _typesetting() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-typesetting",
         SIGNS_AND_CLASSES,
         r":=\,=r_{b,n}(s),\quad P_\nu-3",
@@ -330,20 +314,17 @@ def manifold_attracts_on_the_side(form: str) -> bool | None:
 
 def _approaching() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-approaching-side",
         APPROACH,
         r"\text{other trajectories that are in the critical manifold for }p<0",
         "The other trajectories that come to the G-spot, and are followed as p → 0, are in the slow manifold for p < 0",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the ansatz (-t)^r for them, with p = α_1* t, α_1* < 0",
             mended(*map(ansatz_is_on_the_side, forms)),
             "(-t)^r is real for every r > 0 at t < 0 alone, and there p > 0",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the side where the slow manifold attracts (lines 1961 to 1965), by Routh and Hurwitz",
             mended(*map(manifold_attracts_on_the_side, forms)),
             "for p < 0 it has an unstable direction: trajectories leave it",
@@ -389,22 +370,19 @@ def name_near_by(word: str | None) -> bool | None:
 
 
 def _names() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-manifold-names",
         MANIFOLDS,
         r"\text{slow manifold for }\epsilon=0,\quad\text{critical manifolds close to it}",
         "The manifold of ε = 0 is the slow manifold, and the invariant ones near by for ε > 0 are critical manifolds, "
         "in the words of the theory that is cited: a critical manifold consists of the equilibria of the fast system "
         "at ε = 0, a slow one is invariant for ε > 0",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the manifold of line 1969: the rates of the fast system on it, and the rate of 2b/p",
             mended(name_at_epsilon_0(said(MANIFOLDS, AT_EPSILON_0)), name_at_epsilon_0(NAMES["ε = 0"])),
             "it consists of the equilibria at ε = 0, and is not invariant for ε > 0",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the manifolds near by: other equilibria would need a determinant 0 of the fast system",
             mended(name_near_by(said(MANIFOLDS, NEAR_BY)), name_near_by(NAMES["near by"])),
             "the determinant is -p: at ε = 0 there is one manifold of equilibria and no other near by",

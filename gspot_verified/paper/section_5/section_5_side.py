@@ -17,7 +17,7 @@ from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.side import UniformSide, uniform_side
 from gspot_verified.numbers.balls import ball, ball_text, working_bits
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.scenes.floats.float_run import float_run
@@ -132,8 +132,7 @@ def rule_is_the_printed_one(beta: fmpq) -> bool | None:
 
 
 def _rule() -> Entry:
-    return settled(
-        "Section 5, matching",
+    return Section("Section 5, matching").settled(
         "5-rule",
         "lines 2087 to 2092",
         r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
@@ -143,15 +142,13 @@ def _rule() -> Entry:
         " until p < 0 for every ε up to some ε_0 > 0, and then lose contact for C_1/Γ(-β) < 0; for C_1/Γ(-β) > 0 λ_N "
         "grows past any given force, on which ε_0 depends, and contact is not lost before",
         R.carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "Theorem R: the event for each sign of C_1/Γ(-β) is the printed one, held against it at two β between "
                 "each two integers up to 9",
                 all_of(rule_is_the_printed_one(beta) for beta in RULE_BETAS),
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "5-side, by another theorem: the families of the extended example, χ = 1, have these events",
             all_of(is_as_expected(amount) for amount in AMOUNTS),
         ),
@@ -167,8 +164,7 @@ def _latest(amount: fmpq) -> str:
 
 
 def _side() -> Entry:
-    return settled(
-        "Section 5, matching",
+    return Section("Section 5, matching").settled(
         "5-side",
         "lines 2087 to 2092",
         r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
@@ -176,14 +172,12 @@ def _side() -> Entry:
         f"once: all states within {WITHIN} ε^({2 * (BETA - 1) / 3}) of the expansion of order {ORDER} and the slow "
         f"deviation with C_1 at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1 λ_N grows "
         f"past {FORCE} times the mean force, with p < 0",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "proofs/uniform.md, Theorem U2: a tube around the expansion, then a cone",
             all_of(is_as_expected(amount) for amount in AMOUNTS),
             "; ".join(_latest(amount) for amount in AMOUNTS),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"float runs ({FLOATS[0]}) of the middle of each family at ε = "
             f"{' and '.join(str((LARGEST_DELTA * part) ** 3) for part in SMALLER)}",
             all_of(float_runs_agree(amount) for amount in AMOUNTS),

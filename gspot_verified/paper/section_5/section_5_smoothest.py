@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 
-SECTION = "Section 5"
+SECTION = Section("Section 5")
 ALGEBRA = Algebra("p b a q w j k m x y r E0 E1 E2 K beta alpha1 alpha2 alpha3")
 _SYMBOLS = ALGEBRA.symbols
 SLIP = {"p": "alpha1*p", "b": "alpha2*p + alpha3*b"}
@@ -107,21 +107,18 @@ def grows_at_the_first_above() -> bool | None:
 
 
 def _smoothest() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-smoothest-graph",
         "lines 1469 to 1470",
         r"\text{exactly one graph }b(p)\text{ is }C^{k},\ \beta<k\leq\beta+1",
         "α_1, α_3 < 0, β = α_3/α_1 not an integer: of the trajectories of eqs. Gspot1 and Gspot2 with p > 0 exactly "
         "one has a graph b(p) that is C^k at p = 0 for the integer k between β and β + 1, the line "
         "b = α_2 p/(α_1 - α_3); the graphs of all others are C^(k-1) and not C^k; so it is for p < 0",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "b = α_2 p/(α_1 - α_3) + K p^β: the derivative of order k is K times non-zero factors times p^(β-k)",
             all_of([graphs_solve(), next_derivative(), factors_do_not_vanish(), power_is_unbounded()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "along a trajectory the derivative of order j of b(p) minus the line grows like e^((α_3 - j α_1) s), "
             "s → ∞ at p = 0: the first rate that is positive is that of j = k, and none before it is 0",
             all_of([deviation_decays(), derivatives_obey(), grows_at_the_first_above()]),

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_2.extended_system import extended_terms
@@ -20,7 +20,7 @@ from gspot_verified.paper.section_5 import explicit_expansions as explicit
 from gspot_verified.paper.section_5.double_series import POWER_OF_DELTA, example_series
 from gspot_verified.paper.section_5.explicit_expansions import LEMMA, SPACES, Shift
 
-SECTION = "Section 5, Theorem 1"
+SECTION = Section("Section 5, Theorem 1")
 UNSCALED = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6, "lambda_n": 0}
 """The powers of delta in front of the scaled variables, lines 1385 to 1390."""
 INDICES = Algebra("n k nu sigma rho")
@@ -239,8 +239,7 @@ def steps_in_powers_of_epsilon() -> bool:
 
 def _lemma_orders() -> Entry:
     this = Claim(INDICES, LOWEST)
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-lemma-orders",
         "thm:expansion, first part",
         r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
@@ -256,10 +255,8 @@ def _lemma_orders() -> Entry:
             "n - 2 for m = 1 and lower for m > 1",
             by_products,
         ),
-        Check(
-            Rung.POINTS,
-            "a quartic with symbols as coefficients, all orders below 8, ξ_k as symbols",
-            not wrong_in_a_quartic(),
+        Rung.POINTS.check(
+            "a quartic with symbols as coefficients, all orders below 8, ξ_k as symbols", not wrong_in_a_quartic()
         ),
         note="With f in C^n and n = 0 the error O(δ^(n+1)) of eq. f_kdef needs C^1.",
     )
@@ -267,8 +264,7 @@ def _lemma_orders() -> Entry:
 
 def _step_4() -> Entry:
     this = Claim(INDICES, STEP_4)
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-initial-values",
         "lines 1727 to 1740",
         r"[\mathcal P_\xi,\ldots,\mathcal J_\xi]\,\xi_n(0)=r_{\xi_0,n}",
@@ -282,8 +278,7 @@ def _step_4() -> Entry:
                 by_the_conditions,
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "a quartic with symbols as coefficients and ξ_k as symbols; the conditions in three nonlinear systems",
             step_4_in_systems(),
         ),
@@ -292,19 +287,16 @@ def _step_4() -> Entry:
 
 
 def _lemma() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-lemma",
         "thm:expansion, second part",
         r"f_{2\nu}\in P_\nu,\quad f_{2\nu+1}\in P_{\nu-4}",
         "If ξ_2k is in P_(k+1) and ξ_(2k+1) in P_(k-3), then f_2ν is in P_ν and f_(2ν+1) in P_(ν-4)",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "one more factor at a time, for every ν and both parities",
             unless(outside_by_induction(), lemma_by_induction()),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "in t and ε: the spaces are the series without ε¹, and 0, 2, 3, 4, ... are closed under addition",
             unless(outside_by_powers_of_epsilon(), lemma_by_powers_of_epsilon()),
         ),
@@ -312,10 +304,8 @@ def _lemma() -> Entry:
             "the printed proof: with 2k or 2k + 1 factors of odd order a product is in P_(ν - 9k) or P_(ν - 4 - 9k)",
             by_parities,
         ),
-        Check(
-            Rung.POINTS,
-            "five nonlinear functions of two components, all orders below 10",
-            explicit.lemma_on_functions(),
+        Rung.POINTS.check(
+            "five nonlinear functions of two components, all orders below 10", explicit.lemma_on_functions()
         ),
     )
 
@@ -331,32 +321,27 @@ def _theorem() -> Entry:
     found = explicit.recursions()
     outside = [place for recursion in found for place in explicit.outside_their_spaces(explicit.rows_of(recursion))]
     others = outside_in_the_example()
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-theorem-1-spaces",
         "th:1, the spaces",
         r"p_{2\nu},b_{2\nu},\xi_{2\nu}\in P_{\nu+1},\ \ldots,\ \lambda_{2\nu+1}\in P_{\nu-4}",
         "The terms of Theorem 1 are in the stated spaces, for every order",
         Page("expansion", (dependence, lemma_by_induction, lemma_by_powers_of_epsilon)).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "section 4, the steps of the induction, each for every ν at once: " + ", ".join(proved),
                 all(proved.values()) or None,
             )
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "in t and ε: ξ, p, b, λ_N without ε¹; y, z, v without ε⁰ and ε¹; each step stays there",
             steps_in_powers_of_epsilon() or None,
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"{len(found)} nonlinear systems, all orders below {len(found[0].p)}",
             not outside,
             f"not in their spaces: {', '.join(outside)}" if outside else "",
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the extended example with a symbol χ, all orders below 12",
             not others,
             f"not in their spaces: {', '.join(others)}" if others else "",
@@ -418,26 +403,22 @@ def example_in_t_and_epsilon() -> bool | None:
 
 
 def _corollary() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-corollary",
         "corollary of th:1, lines 1777 to 1842",
         r"\sum K\epsilon^{2\sigma}t^{\nu+1-3\sigma},\quad\sum K\epsilon^{3+2\sigma}t^{\nu-3-3\sigma}",
         "By the spaces of Theorem 1 each unscaled variable, truncated at any order, is a polynomial in t and ε; p has "
         "the two printed sums",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "power of ε of every term of ξ, p, b, y, v, z, λ_N: an integer, not negative, for every ν and σ; the two "
             "sums as identities in ν and σ",
             all_of([*map(corollary_exponents, SPACES), *map(printed_exponents, (0, 1))]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the powers of ε of each space as a set; the sums from those of p, by n + 2 = 2k + 3j for t^k ε^j",
             all_of([*map(corollary_powers, SPACES), *map(printed_powers, (0, 1))]),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "the extended example, orders below 7: its terms are those of its series in (t, ε)",
             example_in_t_and_epsilon(),
         ),

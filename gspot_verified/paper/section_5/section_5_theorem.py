@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from gspot_verified.expansion.series.recursion import Recursion
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, readable, rising_signs
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_5 import explicit_expansions as explicit
@@ -19,7 +19,7 @@ from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA as RECURS
 from gspot_verified.paper.section_5.section_5_recursion import CORRECTED, PRINTED
 from gspot_verified.paper.section_5.section_5_spaces import UNSCALED, dependence
 
-SECTION = "Section 5, Theorem 1"
+SECTION = Section("Section 5, Theorem 1")
 ALGEBRA = Algebra("alpha1 alpha3 beta k u0 u3 jacobian n M")
 HYPOTHESES = {
     "alpha1": "α_1* < 0",
@@ -180,16 +180,14 @@ def orders_in_systems() -> bool | None:
 
 def _existence() -> Entry:
     found = explicit.recursions()
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-theorem-1",
         "th:1",
         r"\exists!\ \xi_n,p_n,b_n,y_n,v_n,z_n,\lambda_n\text{ polynomials in }s",
         "For functions of ξ that are smooth near ξ*, α_1*, α_3* < 0, β not an integer and a regular Jacobian of "
         "(P, B, Y, V, J) at ξ* the equations and conditions have exactly one expansion in polynomials of s",
         Page("expansion", (dependence, is_triangular)).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "sections 2 and 3, induction over n: the terms of functions are known, the operator of b_n is "
                 "triangular, and every divisor is a product of factors that a hypothesis keeps from 0 (with entries "
                 "5-orders, 5-third-order, 5-monomial, 5-step-3, 5-lemma-orders)",
@@ -197,14 +195,12 @@ def _existence() -> Entry:
                 "" if determined() else "at β = k the operator of b_n has 0 on its diagonal: not one solution",
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "eqs. specialBn to specialLn without elimination, degree 5: regular at five β, singular at β = 1, ..., 5",
             unique_by_rank(),
             "" if unique_by_rank() else "at β = 1, ..., 5 a polynomial can be added to b_n",
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"existence in {len(found)} nonlinear systems, all orders below {len(found[0].p)}: eqs. specialX to "
             "specialL and the conditions of eqs. pbc to Jbc, by ordinary polynomials",
             all_of((explicit.equations_hold(r) and explicit.synchronised(r)) or None for r in found),
@@ -217,22 +213,19 @@ def _existence() -> Entry:
 
 
 def _orders() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "5-theorem-1-orders",
         "th:1, the orders of the residuals",
         r"O(\delta^M),\quad O(\delta^{M+2})",
         "The sums of the first M terms satisfy specialX to specialL up to O(δ^M), and eqs. pbc to Jbc up to O(δ^(M+2))",
         Page("expansion", (dependence,)).carries(
-            Check(
-                Rung.EXACT,
+            Rung.EXACT.check(
                 "section 3, orders: the orders below know terms of orders below M only, the stated ones know the term "
                 "of order M, for every M; a constant: proofs/residual.md",
                 orders_by_dependence(),
             )
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "three nonlinear systems, M = 2, 4, 6: no residual of specialX to specialL begins before δ^M, none of "
             "eqs. pbc to Jbc before δ^(M+2), and some begin there",
             orders_in_systems(),

@@ -9,13 +9,13 @@ from functools import partial
 
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Claim, Parts
 from gspot_verified.paper.numerics.oscillator_formulas import APPENDIX_B, PRINTED_NUMBERS, SECTION_6
 from gspot_verified.paper.section_6 import oscillator
 from gspot_verified.paper.section_6.oscillator import ALGEBRA, CORRECTED, PRINTED, along, at_g_spot, normal
 
-SECTION = "Section 6 and Appendix B"
+SECTION = Section("Section 6 and Appendix B")
 _SYMBOLS = ALGEBRA.symbols
 _ZERO = ALGEBRA.constant(0)
 _LATEX = {"v": "v", "p": "p", "b": "b", "alpha_1": r"\alpha_1", "alpha_2": r"\alpha_2", "alpha_3": r"\alpha_3"}
@@ -72,8 +72,7 @@ def _motion() -> Entry:
             found += [own - _left_sides(parts)[i], parts[f"QT{i + 1}"] - shares[0], parts[f"QN{i + 1}"] - shares[1]]
         return [normal(value) for value in found]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-motion",
         "lines 2117 to 2142",
         r"M(q)\ddot q=f(q,\dot q)+Q_N\lambda_N+Q_T\lambda_T",
@@ -99,8 +98,7 @@ def _sign_of_g() -> Entry:
         slope = along(v, {"w": control[0], "x": control[1]})
         return [*oscillator.determinant_is_right(), normal(slope - ALGEBRA.read(PRINTED["B-p"]["formula"]))]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-sign-of-G",
         "lines 2145 to 2148",
         r"G=(0,0,M^{-1}(-Q_N+\mu Q_T))^T",
@@ -129,18 +127,13 @@ def _place() -> Entry:
     def vanish(values: list[fmpq_mpoly]) -> bool:
         return all(value.is_zero() for value in (*values, *consistent))
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-G-spot",
         "lines 2155 to 2174",
         r"\cos\phi^*=3/5,\ \sin\phi^*=4/5,\ \dot\phi^*=-\sqrt{g/l},\ \psi^*=-2l/5,\ \dot\psi^*=\tfrac45\sqrt{gl}",
         "With the printed m_2, μ, φ_0, k, c the printed point is a G-spot for all β, κ, m_1, l, g",
-        Check(Rung.EXACT, "p, b, v by Lie derivatives and y vanish there, all parameters as symbols", vanish(derived)),
-        Check(
-            Rung.EXACT,
-            "p, b, v of Appendix B and y vanish there, all parameters as symbols",
-            vanish(printed),
-        ),
+        Rung.EXACT.check("p, b, v by Lie derivatives and y vanish there, all parameters as symbols", vanish(derived)),
+        Rung.EXACT.check("p, b, v of Appendix B and y vanish there, all parameters as symbols", vanish(printed)),
         note="u* = -3/5 sqrt(g l): positive slip needs a belt that moves below that velocity. c_ψ < 0 for β > 18/7.",
     )
 
@@ -154,8 +147,7 @@ def _value(name: str) -> Entry:
     def differs(value: fmpq_mpoly) -> list[fmpq_mpoly]:
         return [at_g_spot(value), *oscillator.g_spot_is_consistent(), *oscillator.determinant_is_right()]
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         f"6-{name}",
         f"line {lines}",
         f"{_LATEX[name]}^*={text}",
@@ -212,19 +204,16 @@ def _decimals() -> Entry:
         pairs = {name: decimal(text) for name, text in PRINTED_NUMBERS.items()}
         return all(abs(exact[name] - value) <= half for name, (value, half) in pairs.items())
 
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-decimals",
         "lines 2190 to 2191",
         r"\alpha_1^*=-0.4289,\ \alpha_2^*=-1.8764,\ \alpha_3^*=-1.0008",
         "For β = 7/3, κ = 0 the printed decimals are the α's, rounded, and the oscillator is in Case III",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the printed functions of β and κ, rounded; α_2 < 0 and α_3 < α_1 < 0",
             rounded(printed) and in_case_iii(*printed.values()),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the Lie derivatives, rounded; the weak direction of eqs. Gspot1, Gspot2 attracts with a positive force",
             rounded(derived) and approached_with_finite_force(*derived.values()),
         ),
@@ -243,8 +232,7 @@ def _formula(name: str) -> Entry:
         "b": "y'' without force, from the equations of motion",
         "alpha_1": "the slope in φ of the factor of λ in y''",
     }
-    return settled(
-        SECTION,
+    return SECTION.settled(
         f"B-{name}",
         f"lines {lines}",
         rf"{_LATEX[name]}(\phi,\psi,\dot\phi,\dot\psi)=\ldots",

@@ -11,11 +11,11 @@ from typing import Any
 from flint import arb, fmpq, fmpq_mpoly, fmpz_poly
 
 from gspot_verified.numbers.balls import ball_text, hull, working_bits
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.section_6 import oscillator, section_6_runs
 from gspot_verified.paper.section_6.oscillator import ALGEBRA
 
-SECTION = "Section 6 and Appendix B"
+SECTION = Section("Section 6 and Appendix B")
 FACTOR = 1000
 """The oscillation has relaxed when it is smaller by this factor."""
 ABOUT = (fmpq(8, 10_000), fmpq(10, 10_000))
@@ -80,20 +80,18 @@ def by_the_roots() -> bool | None:
 
 def _relaxation() -> Entry:
     time = relaxation(real_part(first_p()))
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-relaxation",
         "lines 2202 to 2203",
         r"\text{relaxation of the }z\text{ dynamics takes about }10^{-3}",
         "ε = 10^-6, p fixed at its value at the two starts: the oscillation of the contact falls by the factor 1000 "
         "after 0.8 to 1.0 times 10^-3",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "an enclosure of the roots at the p of the starts",
             lies_in(time, ABOUT),
             "" if time is None else f"p = {ball_text(first_p(), 8)}, t = {ball_text(time, 6)}",
         ),
-        Check(Rung.POINTS, f"all roots at p = {NEAR_P}", by_the_roots()),
+        Rung.POINTS.check(f"all roots at p = {NEAR_P}", by_the_roots()),
         note="z alone relaxes to y/2 at fixed y like e^(-2t/ε), within 10^-5 (2-relaxation): what takes 10^-3 is the "
         "oscillation of y, v and z about the slow manifold. Slip from the two starts takes 0.109 and 0.135 until the "
         "G-spot (found with 6-first-start and 6-second-start).",
@@ -140,20 +138,17 @@ def scaled_motion_has_no_units() -> bool | None:
 
 
 def _units() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-units",
         "lines 2162 to 2163",
         r"m_1,\ g,\ l\ \text{determine a scale for mass, length, and time, with no other influence}",
         "With the chosen parameters the equations of motion of the oscillator, written in the units m_1, l and "
         "sqrt(l/g), have no m_1, l, g in them",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "M, f, Q_T, Q_N and the parameters: all terms have the same powers of length, time and mass",
             all_of([motion_is_homogeneous(), parameters_have_their_units()]),
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "M, f, Q_T, Q_N with the parameters put in, ψ and the rates in units: powers of units times the form at 1",
             scaled_motion_has_no_units(),
         ),

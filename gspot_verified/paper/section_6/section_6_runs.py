@@ -18,7 +18,7 @@ from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mec
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.numbers.balls import approximate, ball_text, hull, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.numerics.oscillator_formulas import SECTION_6
 from gspot_verified.scenes.floats.float_run import float_run
@@ -26,7 +26,7 @@ from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import SceneRun
 from gspot_verified.signs.gamma.side import gamma_sign
 
-SECTION = "Section 6 and Appendix B"
+SECTION = Section("Section 6 and Appendix B")
 LIFT_OFF, TOUCH_DOWN, IMPACT = "lift-off", "touch-down", "impact without collision"
 BETA, EPSILON = fmpq(7, 3), fmpq(1, 10**6)
 STARTS = {"6-first-start": "-9/10", "6-second-start": "-1/2"}
@@ -98,8 +98,7 @@ def _start(name: str) -> Entry:
     size = "" if found.coefficient is None else f"C_1 = {ball_text(found.coefficient, 8)}"
     what = "lift-off" if SEQUENCES[name][0] == LIFT_OFF else "impact"
     then = {"lift-off": "lose contact", "impact": "have a force above any given one, and lose no contact before"}[what]
-    return settled(
-        SECTION,
+    return SECTION.settled(
         name,
         LINES[name],
         r"\text{" + ", ".join(SEQUENCES[name]) + "}",
@@ -108,14 +107,12 @@ def _start(name: str) -> Entry:
         f"from which, at leading order as ε → 0, there is a{'n' if what == 'impact' else ''} {what}; for every ε up to "
         "some ε_0 > 0 compliant starts that tend to this one, the contact not far from rest, keep contact and slip "
         f"until p < 0, and then {then}",
-        Check(Rung.BALLS, "proofs/approach.md: the path in rigid slip and C_1 in balls", takes(name), size),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check("proofs/approach.md: the path in rigid slip and C_1 in balls", takes(name), size),
+        Rung.BALLS.check(
             "proofs/papers_rule.md, Theorem R: its hypotheses at this start and at the G-spot, in balls",
             takes_in_the_limit(name),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"a float run at ε = 10^-6 ({FLOATS[0]}): {', '.join(SEQUENCES[name])}",
             floats_show(name),
             ", ".join(f"{e.name} at t = {approximate(e.lower):.8g}" for e in simulated(name).events),
@@ -180,21 +177,18 @@ def floats_are_just_after(delay: fmpq | None) -> bool | None:
 
 def _time() -> Entry:
     bracket, delay = leading_bracket(), simulated_delay()
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-lift-off-time",
         "lines 2250 to 2252",
         r"\text{lift-off takes place just after } t=10^{-3}",
         "First start, on a belt that is fast enough, ε = 10^-6: at leading order the contact lifts off later than "
         "10^-3 after p = 0, at a time that rounds to the one printed digit, with the C_1 of this start",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "proofs/iwc.md, section 4, at both ends of the ball of C_1; proofs/approach.md for C_1",
             None if bracket is None else is_just_after(*bracket),
             "" if bracket is None else f"t = {ball_text(hull([bracket[0], bracket[1]]), 8)}",
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"a float run at ε = 10^-6 ({FLOATS[0]})",
             floats_are_just_after(delay),
             "" if delay is None else f"t = {approximate(delay):.6g}",
@@ -238,20 +232,16 @@ def ends_before_10_3() -> bool | None:
 
 def _classes() -> Entry:
     pairs = "; ".join(f"Case {case}: β = {beta}, κ = {kappa}" for case, (beta, kappa) in MEMBERS.items())
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-classes",
         "lines 2180 to 2185",
         r"\text{the sign of }\alpha_2^*\text{ is controlled by }\kappa;\ \text{any of the classes I, II, III}",
         "For every β > 0 the printed α_2 takes every value, each for one κ; so for every β in (0, 1) there are κ in "
         "Case I and in Case II, and for every β > 1 in Case III",
-        Check(
-            Rung.EXACT,
-            "α_2 is linear in κ with the slope (9450 β + 8262)/55080 > 0; α_1 < 0, α_3 = β α_1",
-            is_controlled(),
+        Rung.EXACT.check(
+            "α_2 is linear in κ with the slope (9450 β + 8262)/55080 > 0; α_1 < 0, α_3 = β α_1", is_controlled()
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             "a pair β, κ in each Case; α_2 > 0 for every κ >= 0, β >= 10/3",
             all_of([*(belongs(case) for case in MEMBERS), ends_before_10_3()]),
             pairs,

@@ -5,14 +5,14 @@ from __future__ import annotations
 from flint import arb, fmpq, fmpq_mpoly
 
 from gspot_verified.numbers.balls import working_bits
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import rising_signs
 from gspot_verified.paper.checks.words import Place, held_against
 from gspot_verified.paper.section_6 import oscillator, section_6_runs
 from gspot_verified.paper.section_6.oscillator import ALGEBRA
 
-SECTION = "Section 6 and Appendix B"
+SECTION = Section("Section 6 and Appendix B")
 _SYMBOLS = ALGEBRA.symbols
 SOURCES = "lines 106 to 108, 121 to 122, 2096 to 2098"
 ELSEWHERE = {
@@ -44,8 +44,7 @@ HIGHEST = fmpq(18, 7)
 
 
 def _attribution() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-attribution",
         SOURCES,
         r"\text{a frictional impact oscillator proposed by [leine2008]}",
@@ -57,8 +56,7 @@ def _attribution() -> Entry:
 
 
 def _colours() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-colours",
         CURVES,
         r"\text{blue: simulation, red: }\Theta\qquad\text{red: simulation, blue: }\Theta",
@@ -95,21 +93,18 @@ def slips_forwards_at_the_starts(form: str) -> bool | None:
 
 def _positive_slip() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-positive-slip",
         "lines 2134 to 2140, 2167 to 2174, 2193 to 2200",
         r"\text{Assuming positive slip},\quad x(q)=l\sin(\phi),\quad\dot\phi^*=-\sqrt{g/l}",
         "With the printed x(q) = l sin φ the slip u of Sec. 2, the rate of x, is positive at the G-spot and at the two "
         "starts",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "u at the G-spot, for all m_1, l, g",
             mended(*map(slips_forwards_at_the_g_spot, forms)),
             "u = -3/5 sqrt(g l) < 0",
         ),
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "u at the two starts: cos(φ* + 1/10) > 0 and φ-dot < 0",
             mended(*map(slips_forwards_at_the_starts, forms)),
             "u < 0 at both",
@@ -140,14 +135,13 @@ def by_the_rates() -> bool | None:
 
 
 def _starts() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-starts",
         "lines 2197 to 2200",
         r"\psi=\cos\phi-1,\ \dot\psi=-\sin(\phi)\dot\phi\ \Rightarrow\ y=v=0",
         "In the units m_1 = l = g = 1 the printed ψ and its rate are those of y = v = 0, for every φ and its rate",
-        Check(Rung.EXACT, "y of line 2136 and v of Appendix B", by_the_height()),
-        Check(Rung.EXACT, "the rate of the printed ψ; the power of the normal force", by_the_rates()),
+        Rung.EXACT.check("y of line 2136 and v of Appendix B", by_the_height()),
+        Rung.EXACT.check("the rate of the printed ψ; the power of the normal force", by_the_rates()),
     )
 
 
@@ -176,21 +170,18 @@ def has_a_case(form: str) -> bool | None:
 
 def _any_beta() -> Entry:
     forms = ("printed", "corrected")
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-any-beta",
         "lines 2156 to 2165, 2184 to 2185",
         r"\beta\ \text{may take any desired value}",
         "With the chosen parameters, but no negative constant of a spring or a damper, the oscillator may have any "
         "β > 0, in some Case",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "c_ψ = 25/108 (18 - 7β) m_1 sqrt(g/l) of line 2160",
             mended(*map(damps, forms)),
             "negative for every β > 18/7: the damper would drive",
         ),
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "α_2 for k_ψ >= 0, as κ >= 0, and β >= 10/3",
             mended(*map(has_a_case, forms)),
             "α_2 > 0 and α_3 < α_1 < 0: none of the three Cases",

@@ -26,7 +26,7 @@ from gspot_verified.numbers.balls import (
     rounded_text,
     working_bits,
 )
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, all_of
 from gspot_verified.paper.section_6.section_6_runs import BETA, EPSILON, FLOATS, SECTION, number, simulated, slip
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
@@ -137,17 +137,15 @@ def floats_fit() -> bool | None:
 
 def _fit() -> Entry:
     c_1 = amount()
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-theta-fit",
         "lines 2256 to 2259",
         r"\hat b\ \text{and the scaled}\ \Theta\ \text{fit each other very well for positive times}",
         f"The oscillator in positive slip, for every ε <= {DELTA**3} at once: a deviation from the expansion of order "
         f"{ORDER} that is the slow one with the C_1 of the second start, to 4 decimals, at t = {FIRST} ε^(2/3) has a b "
         f"that differs by less than {100 * FIT} % from C_1 κ^-β ε^(2β/3) Θ(τ), at t/ε^(2/3) = {_places()}",
-        Check(Rung.BALLS, "proofs/uniform.md, Theorem U1: the deviation is followed, with its error", fits(), widest()),
-        Check(
-            Rung.POINTS,
+        Rung.BALLS.check("proofs/uniform.md, Theorem U1: the deviation is followed, with its error", fits(), widest()),
+        Rung.POINTS.check(
             f"a float run of the second start at ε = {EPSILON} ({FLOATS[0]}), up to t = {approximate(FLOAT_UNTIL)}: "
             f"within {100 * FLOAT_FIT} % of the largest value so far",
             floats_fit(),
@@ -184,22 +182,19 @@ def floats_stay_near() -> bool | None:
 
 
 def _order_15() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "6-order-15",
         "lines 2236 to 2238",
         r"M=15:\ \text{indistinguishable for } p>0",
         f"ε = {EPSILON}, 0 <= p <= {HIGHEST}: the b of the expansion of order {ORDER} differs by less than "
         f"{DIFFERENCE} from that of order {HIGHER}, with |b| above {HEIGHT * DIFFERENCE} at the end: in a drawing the "
         "order does not show",
-        Check(
-            Rung.EXACT,
+        Rung.EXACT.check(
             "the coefficients of the difference, as a polynomial in t and ε, in exact rationals",
             all_of([difference() < DIFFERENCE, covers_the_drawing()]),
             f"at most {rounded_text(float_bounds(arb(difference()))[1], 1)}",
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"a float run ({FLOATS[0]}) from the state of order 15 at p = 1/100 (scene oscillator-canard): its b is "
             "that near to order 15 for p > 0",
             floats_stay_near(),

@@ -9,13 +9,13 @@ from flint import fmpq
 
 from gspot_verified.numbers.balls import approximate
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, all_of, settled
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
 from gspot_verified.scenes.scene.run import IMPACT, RunEvent, SceneRun
 
-SECTION = "Section 7"
+SECTION = Section("Section 7")
 LIFT_OFF, TOUCH_DOWN, STICK = "lift-off", "touch-down", "stick"
 BETA, NU = fmpq(5, 2), fmpq(1, 4)
 
@@ -90,21 +90,18 @@ def _times(case: Case) -> str:
 
 
 def _again() -> Entry:
-    return settled(
-        SECTION,
+    return SECTION.settled(
         "7-lift-off-again",
         "lines 2287 to 2291",
         r"\text{would this impact again lead to further lift off?}",
         f"The extended system of fig. varsim2 with β = {BETA}, ν = {NU}, u(0) = 70 loses contact again after its first "
         f"flight. Its events, but for impacts without collision, are: {'; '.join(map(_told, RUNS))}",
-        Check(
-            Rung.BALLS,
+        Rung.BALLS.check(
             "certified runs of the extended system by the validated integrator",
             all_of(happens(case) for case in RUNS),
             "; ".join(_times(case) for case in RUNS),
         ),
-        Check(
-            Rung.POINTS,
+        Rung.POINTS.check(
             f"float runs ({FLOATS[0]}) have these events within {FLOAT_NEAR} of these times, and b > {FAR} at the last",
             all_of(floats_agree(case) for case in RUNS),
         ),

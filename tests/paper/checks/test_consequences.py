@@ -6,13 +6,13 @@ import pytest
 from paper.refuted import REFUTED
 
 from gspot_verified.paper.checks.consequences import _CONSEQUENCES, Reach, consequence
-from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Rung, Section
 from gspot_verified.paper.checks.paper import _places
 
 
 def entry(identifier, agrees):
     checks = [Check(Rung.EXACT, what, agrees, "f") for what in ("one", "another")]
-    return settled("Section 4", identifier, "line 986", "x", "s", *checks)
+    return Section("Section 4").settled(identifier, "line 986", "x", "s", *checks)
 
 
 def test_a_consequence_belongs_to_a_refuted_statement():

@@ -15,12 +15,12 @@ from gspot_verified.paper.checks.entry import (
     Check,
     Entry,
     Rung,
+    Section,
     all_of,
     conclude,
     counts,
     rung_counts,
     same_sign,
-    settled,
 )
 from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
 
@@ -113,7 +113,7 @@ def test_what_a_verdict_rests_on(
     answers: list[tuple[Rung, bool | None]], rests_on: tuple[Rung, ...], alone: bool
 ) -> None:
     checks = [Check(rung, f"check {n}", agrees, "a finding") for n, (rung, agrees) in enumerate(answers)]
-    entry = settled("Section", "identifier", "label", "source", "statement", *checks)
+    entry = Section("Section").settled("identifier", "label", "source", "statement", *checks)
     assert entry.rests_on == rests_on
     assert entry.rung is (rests_on[0] if rests_on else None)
     assert entry.page_alone is alone
@@ -131,7 +131,7 @@ def test_three_valued_helpers() -> None:
 def toy(*answers: tuple[Rung, bool | None], **texts: str) -> Entry:
     """An entry whose checks give these answers."""
     checks = [Check(rung, f"check {n}", agrees, f"finding {n}") for n, (rung, agrees) in enumerate(answers)]
-    return settled("Section", "identifier", "line 1", "x", "statement", *checks, **texts)
+    return Section("Section").settled("identifier", "line 1", "x", "statement", *checks, **texts)
 
 
 PROVED = toy((Rung.EXACT, True), (Rung.POINTS, True))
