@@ -32,8 +32,8 @@ class HardCase(NoTruthValue, Written):
     ``lost``: bits that the usual formula loses in balls: the least working precision at which it answers, less the bits
     delivered (53 of a value, 1 of a sign or a number); None where that was not sought, or up to 32,768 bits do not
     suffice. ``double`` is the answer of the usual formula in double precision (None: it gave none), ``certified`` the
-    library's; ``work`` counts what it did and ``seconds`` is what it took. ``double_said`` is what the usual formula says
-    where that is more than the number.
+    library's; ``work`` counts what it did and ``seconds`` is what it took. ``double_said`` is what the usual formula
+    says where that is more than the number.
     """
 
     ask: ClassVar[str] = ".certified is None where the question stayed undecided, .double_right is True or False"
