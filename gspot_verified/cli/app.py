@@ -117,6 +117,14 @@ def print_json(data: dict[str, Any], command: str | None = None) -> None:
     _echo_json({**data, "schema": schema_name(command or _running.get())})
 
 
+def show(result: Any, as_json: bool, text: str | None = None) -> None:
+    """A result on stdout: as JSON, or as its own text where no other is given."""
+    if as_json:
+        print_json(result.to_json())
+    else:
+        typer.echo(str(result) if text is None else text)
+
+
 def print_json_with_rows(data: dict[str, Any], key: str, rows: Iterable[str]) -> None:
     """The same with a list at the end, some of whose entries are in each of the texts: :func:`rows_text` makes them."""
     whole = {**data, "schema": schema_name(_running.get())}

@@ -7,7 +7,18 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, Scheduler, TableOutput, Workers, app, print_json, progress, refuse, warn
+from gspot_verified.cli.app import (
+    JsonFlag,
+    Scheduler,
+    TableOutput,
+    Workers,
+    app,
+    print_json,
+    progress,
+    refuse,
+    show,
+    warn,
+)
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.mechanism_commands import MechanismName, Settings
 from gspot_verified.cli.load import components, load_with_settings, show_approach
@@ -133,8 +144,5 @@ def simulators(
         spot=spot,
         epsilons=epsilon or EPSILONS,
     )
-    if as_json:
-        print_json(found.to_json())
-    else:
-        typer.echo(str(found))
+    show(found, as_json)
     raise typer.Exit(found.exit_code)

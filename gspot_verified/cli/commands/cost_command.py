@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import importlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, app, progress, show
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.output import PICTURES, Outputs
 
@@ -73,10 +74,7 @@ def cost(
         from gspot_verified.report.pictures.cost_picture import save_measured
 
         outputs.write("--picture", picture, lambda: save_measured(result.curves, picture, subject))
-    if as_json:
-        print_json(result.to_json())
-    else:
-        typer.echo(str(result))
+    show(result, as_json)
     outputs.leave(0)
 
 
@@ -90,10 +88,7 @@ def _all_parts(full: bool, output: Path | None, outputs: Outputs, as_json: bool)
         measurement = measure_cost(full, progress, kept)
     if output is not None and outputs.write("--output", output, lambda: save(measurement, output)) and kept is not None:
         kept.remove()
-    if as_json:
-        print_json(measurement.to_json())
-    else:
-        typer.echo(measurement_text(measurement))
+    show(measurement, as_json, measurement_text(measurement))
     outputs.leave(0)
 
 
@@ -104,26 +99,6 @@ def _peers() -> Measured:
 
 
 def _measure(subject: str, full: bool) -> Measured:
-    if subject == "theta":
-        from gspot_verified.cost.benchmarks import theta
-
-        return theta.run(full, progress)
-    if subject == "sign":
-        from gspot_verified.cost.benchmarks import sign
-
-        return sign.run(full, progress)
-    if subject == "expand":
-        from gspot_verified.cost.benchmarks import expand
-
-        return expand.run(full, progress)
-    if subject == "force":
-        from gspot_verified.cost.benchmarks import force
-
-        return force.run(full, progress)
-    if subject == "mechanism":
-        from gspot_verified.cost.benchmarks import mechanism
-
-        return mechanism.run(full, progress)
-    from gspot_verified.cost.benchmarks import simulate
-
-    return simulate.run(full, progress)
+    benchmark = importlib.import_module(f"gspot_verified.cost.benchmarks.{subject}")
+    result: Measured = benchmark.run(full, progress)
+    return result

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress
+from gspot_verified.cli.app import JsonFlag, app, progress, show
 from gspot_verified.cli.command_groups import example
 
 
@@ -27,7 +27,4 @@ def hard_cases(
     from gspot_verified.hard_cases.catalogue import WIDTH, measure_hard_cases
 
     catalogue = measure_hard_cases(families or (), progress)
-    if as_json:
-        print_json(catalogue.to_json())
-    else:
-        typer.echo(catalogue.table(min(shutil.get_terminal_size((WIDTH, 0)).columns, WIDTH)))
+    show(catalogue, as_json, catalogue.table(min(shutil.get_terminal_size((WIDTH, 0)).columns, WIDTH)))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, app, print_json, progress, warn
+from gspot_verified.cli.app import JsonFlag, app, progress, show, warn
 from gspot_verified.cli.command_groups import example
 from gspot_verified.cli.commands.approach_command import Spot, Surface
 from gspot_verified.cli.commands.mechanism_commands import Settings
@@ -90,10 +90,7 @@ def iwc(
         growth=growth,
     )
     leading = result.leading
-    if as_json:
-        print_json(result.to_json())
-    else:
-        typer.echo(str(result))
+    show(result, as_json)
     if certificate is not None and isinstance(leading, IwcResult):
         place, rational = certificate, leading
 
@@ -195,10 +192,7 @@ def verdict(
             alpha_1=-1 if alpha1 is None else alpha1,
             alpha_2=-1 if alpha2 is None else alpha2,
         )
-    if as_json:
-        print_json(found.to_json())
-    else:
-        typer.echo(str(found))
+    show(found, as_json)
     if certificate is not None and isinstance(found, ModelSide):
         _write_passage(outputs, certificate, found, progress if as_json else typer.echo)
     outputs.leave(found.verdict.exit_code)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from gspot_verified.cli.app import print_json, progress
+from gspot_verified.cli.app import print_json, progress, show
 from gspot_verified.cli.output import Outputs
 from gspot_verified.cli.ranges_progress import RangesProgress
 
@@ -34,10 +34,7 @@ def zeros_at_finite_epsilon(beta: str, epsilon: str, digits: int, as_json: bool)
     if ".." in epsilon:
         raise ValueError("--epsilon: a range of ε needs a range of β, such as 5..6")
     zeros = slow_zeros(beta, epsilon, digits)
-    if as_json:
-        print_json(zeros.to_json())
-    else:
-        typer.echo(str(zeros))
+    show(zeros, as_json)
     raise typer.Exit(zeros.verdict.exit_code)
 
 
@@ -79,10 +76,7 @@ def zeros_over_a_rectangle(
         outputs.write("--picture", picture, lambda: save_zero_map(zeros, picture))
     if proof is not None and certificate is not None:
         outputs.write("--certificate", certificate, partial(proof.write, certificate))
-    if as_json:
-        print_json(zeros.to_json())
-    else:
-        typer.echo(str(zeros))
+    show(zeros, as_json)
     outputs.leave(zeros.verdict.exit_code)
 
 
@@ -239,10 +233,7 @@ def zeros(
         from gspot_verified.report.figures.atlas import save_atlas
 
         outputs.write("--picture", picture, lambda: save_atlas(result, picture))
-    if as_json:
-        print_json(result.to_json())
-    else:
-        typer.echo(str(result))
+    show(result, as_json)
     if certificate is not None and statement is None:
         warn(f"--certificate: columns do not prove it, so {certificate} was not written")
     outputs.leave(2 if result.unfinished else 0)
@@ -273,10 +264,7 @@ def _zeros_at(outputs: Outputs, beta: str, digits: int, certificate: Path | None
         if certificate is not None:
             raise ValueError("--certificate: at an integer β dΘ/dτ is a polynomial; no certificate is made")
         at_integer = zeros_at_integer(int(value.p), digits)
-        if as_json:
-            print_json(at_integer.to_json())
-        else:
-            typer.echo(str(at_integer))
+        show(at_integer, as_json)
         return
     try:
         isolated = zeros_at(beta, digits)
@@ -287,10 +275,7 @@ def _zeros_at(outputs: Outputs, beta: str, digits: int, certificate: Path | None
         outputs.write(
             "--certificate", certificate, lambda: write_certificate(certificate, isolated.statement, [isolated.column])
         )
-    if as_json:
-        print_json(isolated.to_json())
-    else:
-        typer.echo(str(isolated))
+    show(isolated, as_json)
     outputs.leave(0)
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress, refuse
+from gspot_verified.cli.app import JsonFlag, NumberArguments, app, print_json, progress, refuse, show
 from gspot_verified.cli.command_groups import example
 
 _SLOW_DIGITS = 20_000  # from here on a computation takes long enough to announce it
@@ -35,10 +35,7 @@ def theta(
     if digits >= _SLOW_DIGITS:
         _announce(tau, beta, derivative, digits)
     result = evaluate(tau, beta, derivative=derivative, digits=digits)
-    if as_json:
-        print_json(result.to_json())
-    else:
-        typer.echo(str(result))
+    show(result, as_json)
     if not result.reached:
         reason = result.reason.value if result.reason else "unknown reason"
         typer.echo(f"relative accuracy not reached: {reason}; the sign may be undecided", err=True)
@@ -95,10 +92,7 @@ def side(
     from gspot_verified.signs.gamma.side import side as side_switching
 
     result = side_switching(lower, upper)
-    if as_json:
-        print_json(result.to_json())
-    else:
-        typer.echo(str(result))
+    show(result, as_json)
     if result.undecided:
         raise typer.Exit(2)
 
