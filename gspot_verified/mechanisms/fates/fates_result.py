@@ -14,7 +14,7 @@ from gspot_verified.mechanisms.fates.fate_piece import FatePiece
 from gspot_verified.mechanisms.fates.spot_sides import SpotSides
 from gspot_verified.mechanisms.spots.classify import case_text
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
-from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exact, rounded_text
+from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, rounded_text
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import cover_by_boxes
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
@@ -88,13 +88,8 @@ class Fates(NoTruthValue, Written):
 
         :raises ValueError: a value is missing, or outside of the range.
         """
-        place = []
-        for axis in self.axes:
-            value = exact(values[axis.name], axis.name) if axis.name in values else None
-            if not isinstance(value, fmpq) or not axis.lower <= value <= axis.upper:
-                raise ValueError(f"{axis.name}: a rational in [{axis.lower}, {axis.upper}] is needed")
-            place.append(value)
-        return next(piece for piece in self.pieces if piece.holds(tuple(place)))
+        place = tuple(axis.value_in(values) for axis in self.axes)
+        return next(piece for piece in self.pieces if piece.holds(place))
 
     def words(self, fate: Fate) -> str:
         """The fate in words, with the side for small epsilon where Theorem R gives one."""

@@ -16,7 +16,7 @@ from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.input.mechanism import exact_rational
 from gspot_verified.mechanisms.sweep.sweep_cell import Cell
 from gspot_verified.mechanisms.sweep.sweep_start import Origin
-from gspot_verified.numbers.balls import ExactInput, approximate, working_bits
+from gspot_verified.numbers.balls import ExactInput, approximate, exact, working_bits
 from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
@@ -46,6 +46,16 @@ class Axis(Written):
     def cut(self, number: int) -> fmpq:
         """The lower end of a cell."""
         return self.lower + (self.upper - self.lower) * number / self.cells
+
+    def value_in(self, values: Mapping[str, ExactInput]) -> fmpq:
+        """The value of this parameter.
+
+        :raises ValueError: it is missing, no rational, or outside of the range.
+        """
+        value = exact(values[self.name], self.name) if self.name in values else None
+        if not isinstance(value, fmpq) or not self.lower <= value <= self.upper:
+            raise ValueError(f"{self.name}: a rational in [{self.lower}, {self.upper}] is needed")
+        return value
 
     def __str__(self) -> str:
         return f"{self.name}={self.lower}..{self.upper}:{self.cells}"

@@ -25,7 +25,7 @@ from gspot_verified.mechanisms.sweep.sweep_piece import (
     piece_row,
 )
 from gspot_verified.mechanisms.sweep.sweep_pieces import PackedPortion, Said, SweptPieces
-from gspot_verified.numbers.balls import ExactInput, approximate, exact, float_bounds
+from gspot_verified.numbers.balls import ExactInput, approximate, float_bounds
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover_by_boxes
@@ -237,12 +237,7 @@ class Sweep(NoTruthValue, Written):
 
         :raises ValueError: a value is missing, or outside of the range.
         """
-        place = []
-        for axis in self.axes:
-            value = exact(values[axis.name], axis.name) if axis.name in values else None
-            if not isinstance(value, fmpq) or not axis.lower <= value <= axis.upper:
-                raise ValueError(f"{axis.name}: a rational in [{axis.lower}, {axis.upper}] is needed")
-            place.append(value)
+        place = [axis.value_in(values) for axis in self.axes]
         boxes = enumerate(box for _, box in self._swept.boxes())
         return self.pieces[next(k for k, (lower, upper) in boxes if _holds(lower, place, upper))]
 
