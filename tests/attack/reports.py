@@ -16,7 +16,7 @@ from typing import Any
 from attack.answers import AGREED, Answer, Attack, undecided, wrong
 
 from gspot_verified.numbers.verdict import Outcome
-from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Rung, Section
 from gspot_verified.report.certificates import CheckedCertificate
 from gspot_verified.report.data import report_data
 from gspot_verified.report.write import render_report
@@ -64,8 +64,8 @@ def _true_report(random: Random) -> dict[str, Any]:
         )
         section = random.choice(("Section 2", "Section 4.5", "Appendix A"))
         label = random.choice(("eq:t01", "line 1271", "nowhere"))
-        entries.append(settled(section, f"S-{number}", label, r"\alpha = \frac{1}{2}", f"statement {number}", *checks,
-                               corrected="α > 0", note="a note"))  # fmt: skip
+        says = f"S-{number}", label, r"\alpha = \frac{1}{2}", f"statement {number}"
+        entries.append(Section(section).settled(*says, *checks, corrected="α > 0", note="a note"))
     certificates = [CheckedCertificate("one.cert", "a" * 64, True, "VERIFIED dΘ/dτ < 0", b"one")]
     report: dict[str, Any] = json.loads(json.dumps(report_data(entries, (), certificates)))
     report |= {"proofs": {}, "claims": [], "standings": dict.fromkeys(report["standings"], 0)}

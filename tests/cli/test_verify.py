@@ -10,7 +10,7 @@ import pytest
 
 from gspot_verified.cli import main
 from gspot_verified.cli.ledger_output import claims_data, paper_data, print_claims, print_paper, what_was_run
-from gspot_verified.paper.checks.entry import Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, Section
 from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.paper.verify import verify_claims
 from gspot_verified.report.data import report_data
@@ -121,7 +121,7 @@ def test_every_count_has_its_denominator(capsys: pytest.CaptureFixture[str], nam
 def report_file(folder: Path) -> Path:
     """A report.json with one refuted entry."""
     checks = [Check(Rung.EXACT, what, False, "f") for what in ("one", "another")]
-    entry = settled("Section 4", "4-order", "line 986", "x", "third order", *checks, corrected="fourth order")
+    entry = Section("Section 4").settled("4-order", "line 986", "x", "third order", *checks, corrected="fourth order")
     path = folder / "report.json"
     path.write_text(json.dumps(report_data([entry], [])), encoding="utf-8")
     return path

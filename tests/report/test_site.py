@@ -10,7 +10,7 @@ from urllib.parse import quote, unquote
 
 import pytest
 
-from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Rung, Section
 from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
 from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.paper.verify import PARTS
@@ -179,7 +179,7 @@ def test_an_entry_leads_to_its_code_its_page_and_other_entries(site):
 
 def test_a_refutation_at_points_is_a_counterexample():
     checks = [Check(Rung.POINTS, what, False, "f") for what in ("one point", "another point")]
-    page = pages(report_data([settled("Section", "a", "line 1", "x", "s", *checks)], []))["section.html"]
+    page = pages(report_data([Section("Section").settled("a", "line 1", "x", "s", *checks)], []))["section.html"]
     assert '<span class="rests">on a counterexample at points</span>' in page
     assert page.count("By single points: one certain counterexample is enough.") == 2
 
@@ -207,7 +207,7 @@ def test_the_errata_hold_the_refuted_ones_and_no_other(site):
 
 def test_an_erratum_says_how_far_it_reaches():
     checks = [Check(Rung.EXACT, what, False, "f") for what in ("one", "another")]
-    refuted = settled("Section 4", "4-order", "line 986", "x", "third order", *checks, corrected="fourth order")
+    refuted = Section("Section 4").settled("4-order", "line 986", "x", "third order", *checks, corrected="fourth order")
     page = pages(report_data([refuted], []))["errata.html"]
     assert "Consequence: none" in page
     assert "The printed equation is of fourth order" in page
@@ -218,7 +218,7 @@ def test_an_erratum_says_how_far_it_reaches():
 
 def refuted_entry(identifier, label, source="x"):
     checks = [Check(Rung.EXACT, what, False, f"{what} fails") for what in ("one", "another")]
-    return settled("Section 4", identifier, label, source, "s", *checks, corrected="c")
+    return Section("Section 4").settled(identifier, label, source, "s", *checks, corrected="c")
 
 
 def test_the_errata_are_sorted_by_consequence_and_a_table_is_one_item():
@@ -279,7 +279,7 @@ def test_the_open_page_holds_the_undecided_ones_and_no_other(site):
 def proved_entry(name):
     """Of two of them there are formal theorems, and those of the first were proved in this run."""
     checks = [Check(Rung.EXACT, what, True) for what in ("one", "two")]
-    entry = settled("Section 4.5", name, "line 1", "x", f"says {name}", *checks, corrected=f"only for {name}")
+    entry = Section("Section 4.5").settled(name, "line 1", "x", f"says {name}", *checks, corrected=f"only for {name}")
     if name not in FORMAL:
         return entry
     proof = FormalProof((Theorem(f"formal_{name}", "Definition x.", "Statement.v"),), name == FORMAL[0], "state")
@@ -410,7 +410,9 @@ def test_a_finding_of_the_start_is_the_statement_of_its_entry():
     holds = (Check(Rung.EXACT, "one", True), Check(Rung.PAGE, "two", True))
     fails = (Check(Rung.EXACT, "one", False, "f"), Check(Rung.PAGE, "two", False, "f"))
     outcomes = {name: (holds, fails, holds[:1])[k % 3] for k, name in enumerate(names)}
-    entries = [settled("Section 4.5", n, "line 1", "x", f"says {n}", *outcomes[n], corrected=f"for {n}") for n in names]
+    entries = [
+        Section("Section 4.5").settled(n, "line 1", "x", f"says {n}", *outcomes[n], corrected=f"for {n}") for n in names
+    ]
     page = pages(report_data(entries, []))["index.html"]
     shown = re.findall(r"<li>(<a class=\"chip.*?)</li>", page.replace("\n", " "))
     assert len(shown) == page.count("<li>", page.index("What happens after")) == len(names)

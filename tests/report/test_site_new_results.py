@@ -7,7 +7,7 @@ import typer
 
 from gspot_verified.cli.app import app
 from gspot_verified.cli.main import COMMANDS, load_commands, main
-from gspot_verified.paper.checks.entry import Check, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Rung, Section
 from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
 from gspot_verified.paper.verify import PARTS
 from gspot_verified.report.data import report_data
@@ -80,7 +80,7 @@ def test_every_command_prints_what_the_page_says(result, capsys):
 def test_the_page_shows_each_with_its_page_command_and_figure(pictures):
     checks = [Check(Rung.EXACT, what, True) for what in ("one", "two")]
     formal = FormalProof((Theorem("IWC", "Definition IWC : Prop := x < 1.", "Statement.v"),), False, "not run here")
-    entry = settled("Section 4.5", "S-iwc", "line 1", "x", "the sign", *checks)
+    entry = Section("Section 4.5").settled("S-iwc", "line 1", "x", "the sign", *checks)
     object.__setattr__(entry, "formal", formal)
     page = pages(report_data([entry], pictures))["new.html"]
     for result in RESULTS.values():

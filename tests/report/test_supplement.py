@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from paper.refuted import REFUTED
 
-from gspot_verified.paper.checks.entry import Check, Entry, Rung, settled
+from gspot_verified.paper.checks.entry import Check, Entry, Rung, Section
 from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
 from gspot_verified.paper.checks.paper import paper_hash
 from gspot_verified.paper.verify import PARTS
@@ -27,12 +27,12 @@ HOSTILE = r"}\input{/etc/passwd} \end{document} 50 % & #1 $ ^^5c é ☃ \\ _^~<>
 
 def refuted(identifier: str, label: str, source: str, corrected: str) -> Entry:
     checks = [Check(Rung.EXACT, what, False, "f") for what in ("one", "another")]
-    return settled("Section 4", identifier, label, source, "says it", *checks, corrected=corrected)
+    return Section("Section 4").settled(identifier, label, source, "says it", *checks, corrected=corrected)
 
 
 def proved(identifier: str, label: str) -> Entry:
     checks = [Check(Rung.EXACT, what, True) for what in ("proofs/signs.md: one", "another")]
-    return settled("Section 4.5", identifier, label, "x", "For 0 < β < 1, dΘ/dτ < 0", *checks)
+    return Section("Section 4.5").settled(identifier, label, "x", "For 0 < β < 1, dΘ/dτ < 0", *checks)
 
 
 ENTRIES = [
