@@ -76,11 +76,7 @@ class PaperClaim:
         }
 
 
-_WITHOUT = {
-    "premise": Standing.PREMISE,
-    "not_checkable": Standing.NOT_CHECKABLE,
-    "undecided": Standing.UNDECIDED,
-}
+_WITHOUT = {"premise": Standing.PREMISE, "not_checkable": Standing.NOT_CHECKABLE, "undecided": Standing.UNDECIDED}
 _WITH = {"under": Standing.PROVED_UNDER, "overtaken": Standing.OVERTAKEN}
 
 

@@ -101,7 +101,7 @@ def _cancellation() -> Entry:
                 "Θ minus N terms of its power series is below the next term, for every N; the initial "
                 "values are those of proofs/laplace.md, as closed forms in β",
                 lambda forms: [form / _page_initial_value(j) for j, form in enumerate(forms.values())],
-            ),
+            )
         ),
         Rung.POINTS.check(
             f"both coefficients in balls of radius below 1e-60 around 0 at {len(BETAS)} values of β", all_of(answers)
@@ -154,13 +154,13 @@ def _initial_value(j: int) -> Entry:
             claim.check(
                 "section 1 (substitution r^3/3): its value and the printed one, as closed forms in β",
                 lambda forms: [forms["printed"] / _page_initial_value(j)],
-            ),
+            )
         ),
         INITIAL_VALUES.carries(
             claim.check(
                 "the entire form, by Gauss's multiplication formula, as closed forms in β",
                 lambda forms: [forms["entire"] / forms["printed"]],
-            ),
+            )
         ),
         Rung.POINTS.check(
             f"printed and entire form against the library's values at {len(BETAS)} values of β, the entire form "
@@ -190,7 +190,7 @@ def _leading_behaviour() -> Entry:
                 "the rest after N terms is at most the next term, once 3N > β; every term of "
                 "3^(1-β/3) Γ(1+β) h is a term of that page, as closed forms in β, k and x",
                 lambda forms: [forms["small front"] * closed_form(printed.SERIES["h"]) / closed_form(POWER)],
-            ),
+            )
         ),
         NEGATIVE.carries(
             claim.check(
@@ -198,7 +198,7 @@ def _leading_behaviour() -> Entry:
                 lambda forms: [
                     forms["small front"] * closed_form(put(printed.SERIES["h"], k="0")) / forms["small leading"]
                 ],
-            ),
+            )
         ),
         Rung.POINTS.check(
             f"three terms against the Laplace integral at {len(points)} points",

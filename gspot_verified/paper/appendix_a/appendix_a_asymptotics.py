@@ -73,7 +73,7 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
             claim.check(
                 "DLMF 16.11.8 with the parameters of th:3 put in, as closed forms in β, k and x",
                 lambda forms: _by_dlmf(j, forms),
-            ),
+            )
         ),
         every_coefficient("e"),
         Rung.POINTS.check(
@@ -126,13 +126,13 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
                 "β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "
                 "closed forms in β, k and τ",
                 lambda forms: [_by_connection(j) / forms[f"factor {j}"], _by_saddle_point()],
-            ),
+            )
         ),
         CONNECTION.carries(
             claim.check(
                 "the step from β - 1 to β: d/dτ takes the formula for β to that for β - 1, as closed forms in β",
                 lambda forms: [_step(j, forms)],
-            ),
+            )
         ),
         every_coefficient("e_1"),
         Rung.POINTS.check(
@@ -239,23 +239,20 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
         POSITIVE.carries(
             claim.check(
                 "(explicit remainder): each term, as a closed form in β, k and τ",
-                lambda forms: [
-                    _by_saddle_point(),
-                    forms["large leading"] / closed_form(put(SADDLE, k="0")),
-                ],
-            ),
+                lambda forms: [_by_saddle_point(), forms["large leading"] / closed_form(put(SADDLE, k="0"))],
+            )
         ),
         POSITIVE.carries(
             claim.check(
                 "the second form is the first with k = 0, as closed forms in β and τ",
                 lambda forms: [forms["large front"] * closed_form(_leading_e_1("beta")) / forms["large leading"]],
-            ),
+            )
         ),
         INITIAL_VALUES.carries(
             claim.check(
                 "the leading term of the polynomial at β = n, for all n",
                 lambda forms: [closed_form(put(printed.INTEGER_POLYNOMIAL, m="0")) / forms["integer leading"]],
-            ),
+            )
         ),
         every_coefficient("e_1"),
         Rung.POINTS.check(

@@ -62,11 +62,7 @@ _CONSEQUENCES = {
         "The captions of Figures 3 and 4 name another colour than the text.",
         "A reader of the figures looks for a line of the wrong colour.",
     ),
-    "1-scalars": Consequence(
-        Reach.NONE,
-        "Eqs. (1) and (2) have a, b, A, B and C, and no D.",
-        "No formula has a D.",
-    ),
+    "1-scalars": Consequence(Reach.NONE, "Eqs. (1) and (2) have a, b, A, B and C, and no D.", "No formula has a D."),
     "2-unilateral": Consequence(
         Reach.NONE, "Contact is y = 0, which y > 0 leaves out.", "Contact is y = 0 from the next page on."
     ),

@@ -18,10 +18,7 @@ _D = "(m_2 + m_1*cos(phi)^2)"
 APPENDIX_B = {
     "v": ("2505-2507", "psi_dot + l*sin(phi)*phi_dot"),
     "p": ("2508-2510", f"(m_1*cos(phi)^2 + m_2*sin(phi)*(sin(phi) - mu*cos(phi)))/(m_1*{_D})"),
-    "b": (
-        "2511-2516",
-        f"(m_1*l*cos(phi)*(m_2*l*phi_dot^2 - cos(phi)*{_P}) - m_2*sin(phi)*{_E})/(m_1*l*{_D}) - g",
-    ),
+    "b": ("2511-2516", f"(m_1*l*cos(phi)*(m_2*l*phi_dot^2 - cos(phi)*{_P}) - m_2*sin(phi)*{_E})/(m_1*l*{_D}) - g"),
     "alpha_1": (
         "2517-2520",
         f"-m_2*(mu*(cos(phi)^2*(m_1 + 2*m_2) - m_2) - 2*m_2*sin(phi)*cos(phi))/(m_1*{_D}^2)*phi_dot",

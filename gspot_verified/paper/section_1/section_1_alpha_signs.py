@@ -22,11 +22,7 @@ CONTACT = {"x": "X + c*C - s*S", "y": "Y + c*S + s*C"}
 """The contact point."""
 DRIFT = {"X": "U", "Y": "V", "C": "-S*w", "S": "C*w", "V": "h + kappa*t", "t": "1+0*t"}
 """F: free motion."""
-ALPHAS = {
-    "alpha_1": "w*(mu*(c^2 - s^2) - 2*c*s)",
-    "alpha_2": "kappa - c*w^3",
-    "alpha_3": "2*s*w*(c + mu*s)",
-}
+ALPHAS = {"alpha_1": "w*(mu*(c^2 - s^2) - 2*c*s)", "alpha_2": "kappa - c*w^3", "alpha_3": "2*s*w*(c + mu*s)"}
 """The α's at C = 1, S = 0 and t = 0, by hand."""
 SHAPES = ((fmpq(1), fmpq(-1), fmpq(2)), (fmpq(1, 2), fmpq(-1), fmpq(5, 2)))
 """c, s and μ: p = 1 + c (c + μ s) = 0."""

@@ -96,7 +96,5 @@ def _one_flight() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "3-after-lift-off": _one_flight,
-}
+ENTRIES: Builders = {"3-after-lift-off": _one_flight}
 """What follows lift-off."""

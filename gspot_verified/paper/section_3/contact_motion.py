@@ -53,12 +53,7 @@ def _one_step(state: Sequence[arb], start: fmpq, beta: fmpq, epsilon: fmpq) -> l
         b, y, v, z = term
         force = z - y
         scaled = rate / (k + 1)
-        term = [
-            beta * force / (k + 1),
-            v * scaled,
-            (b - start * force - force_before) * scaled,
-            (y - 2 * z) * scaled,
-        ]
+        term = [beta * force / (k + 1), v * scaled, (b - start * force - force_before) * scaled, (y - 2 * z) * scaled]
         force_before = force
         total = [value + coefficient * power for value, coefficient in zip(total, term, strict=True)]
         sizes = [sizes[-1], _size(term) * power]

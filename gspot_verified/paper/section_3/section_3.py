@@ -87,7 +87,5 @@ def _sides() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "3-sides": _sides,
-}
+ENTRIES: Builders = {"3-sides": _sides}
 """The sentence on panels (b) and (c)."""

@@ -121,9 +121,7 @@ def _inner_fast_polynomial() -> Entry:
         this.check("exponentials in the fast equation at δ = 0", exponential),
         this.check(
             "determinant of λ I minus the matrix of the fast system at p = 0",
-            lambda parts: [
-                parts["polynomial"] + ALGEBRA.substitute(ALGEBRA.determinant(fast_matrix()), p_is_0),
-            ],
+            lambda parts: [parts["polynomial"] + ALGEBRA.substitute(ALGEBRA.determinant(fast_matrix()), p_is_0)],
         ),
     )
 

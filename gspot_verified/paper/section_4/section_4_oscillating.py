@@ -86,7 +86,5 @@ def _behaves_like() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "4-behaves-like": _behaves_like,
-}
+ENTRIES: Builders = {"4-behaves-like": _behaves_like}
 """The sentence on the choice of Θ."""

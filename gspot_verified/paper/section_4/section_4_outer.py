@@ -205,9 +205,7 @@ def _deviation() -> Entry:
         "In contact the deviation of b from the trivial solution satisfies eq. modelSysDev",
         this.check(
             "the equation of line 984 with the trivial solution plus a deviation in the place of b",
-            lambda parts: [
-                around(whole, TRIVIAL, ALGEBRA.constant(1)) - ALGEBRA.substitute(parts["equation"], as_f),
-            ],
+            lambda parts: [around(whole, TRIVIAL, ALGEBRA.constant(1)) - ALGEBRA.substitute(parts["equation"], as_f)],
         ),
         this.check(
             "along the vector field of the deviations (the system without α_2)",

@@ -119,13 +119,9 @@ def _slow() -> Entry:
     )
 
 
-RATIO_ENTRIES: Builders = {
-    "1-beta": _beta,
-}
+RATIO_ENTRIES: Builders = {"1-beta": _beta}
 """The ratio beta as Sec. 1 prints it."""
 
 
-ENTRIES: Builders = {
-    "4-slow": _slow,
-}
+ENTRIES: Builders = {"4-slow": _slow}
 """The slow system."""

@@ -197,11 +197,7 @@ def _trivial_in_case_i() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "2-trivial": _trivial,
-    "2-trivial-zy": _trivial_zy,
-    "2-trivial-contact": _in_contact,
-}
+ENTRIES: Builders = {"2-trivial": _trivial, "2-trivial-zy": _trivial_zy, "2-trivial-contact": _in_contact}
 """The trivial solution of Sec. 2."""
 IN_CASE_I: Builders = {"3-case-I-trivial": _trivial_in_case_i}
 """Its signs in Case I (Sec. 3)."""

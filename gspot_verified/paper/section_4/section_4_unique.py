@@ -22,11 +22,7 @@ _PAGE = "smooth_trajectory"
 _SYMBOLS = ALGEBRA.symbols
 _WITH_BETA = {"alpha3": ALGEBRA.read("beta*alpha1")}
 PRINTED: dict[str, dict[str, str]] = {
-    "4-unique": {
-        "order 0": "alpha3*b0 + alpha1*t*(alpha2-b1)",
-        "order n": "alpha3*f0 - alpha1*t*f1",
-        "b": "c*alpha1*t",
-    },
+    "4-unique": {"order 0": "alpha3*b0 + alpha1*t*(alpha2-b1)", "order n": "alpha3*f0 - alpha1*t*f1", "b": "c*alpha1*t"}
 }
 FRACTION = {"numerator": "x", "denominator": "x + w"}
 """β is an integer j >= 0 plus this fraction, x and w any positive numbers: β > 0 is not an integer."""
@@ -64,10 +60,7 @@ def by_derivatives(order: fmpq_mpoly) -> list[fmpq_mpoly]:
     step = ALGEBRA.derivative(at(_SYMBOLS["k"]), ALGEBRA.jets("t", "f"))
     # f = t^k: f0 and f1 times t.
     power = ALGEBRA.replaced(order, "f", [_SYMBOLS["t"], _SYMBOLS["k"]], ALGEBRA.constant(0))
-    return [
-        step - ALGEBRA.substitute(at(_SYMBOLS["k"] + 1), shift),
-        power - ALGEBRA.read("alpha1*t*(beta-k)"),
-    ]
+    return [step - ALGEBRA.substitute(at(_SYMBOLS["k"] + 1), shift), power - ALGEBRA.read("alpha1*t*(beta-k)")]
 
 
 def by_integrating_factor(order: fmpq_mpoly) -> list[fmpq_mpoly]:
@@ -207,8 +200,5 @@ def _smooth() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "4-unique-smooth": _smooth,
-    "4-unique": _unique,
-}
+ENTRIES: Builders = {"4-unique-smooth": _smooth, "4-unique": _unique}
 """Sec. 4.1, in the order of the paper."""

@@ -46,7 +46,7 @@ CORRECTED: dict[str, dict[str, str]] = {
         "at 0": appendix.ENTIRE_INITIAL_VALUES["t02"],
         "far left": "-beta*x^(beta-1)",
         "far right": "-sqrt(pi)*beta/Gamma(1-beta)*e^(2/3*lam)*tau^(-(beta-1)/2-3/4)",
-    },
+    }
 }
 """S-wording speaks of Θ; what it says holds for dΘ/dτ = -β Θ(τ, β - 1)."""
 CASE_III = {"beta": "1+u", "alpha1": "-w", "alpha2": "-x", "alpha3": "-(1+u)*w"}
@@ -88,7 +88,7 @@ def _iwc() -> Entry:
                     closed_form(put("Gamma(-beta)", **images)) / forms["sign"],
                     closed_form(put("1-beta", **images)),
                 ],
-            ),
+            )
         ),
         Rung.BALLS.check(
             "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
@@ -174,7 +174,7 @@ def _lift_off_side() -> Entry:
                 "τ → +∞: S-deviation-force with the leading form of dΘ/dτ over C_1/Γ(-β) is positive and grows without "
                 "bound; the corrected mean force is positive (Case III, symbols α_1, α_2, β)",
                 lambda forms: _force_far_right("S-side", forms["side"]),
-            ),
+            )
         ),
         Rung.POINTS.check(
             "certified sign of λ_N at τ = 60, ε = 1e-6, both signs of C_1, five values of β", all_of(answers)
@@ -206,7 +206,7 @@ def _other_side() -> Entry:
                 "C_1 dΘ/dτ is bounded below on [τ_0, ∞), since it tends to infinity with the sign of "
                 "C_1/Γ(-β); the mean force and the exponent of ε are positive (Case III, symbols α_1, α_2, β)",
                 lambda forms: [*_force_far_right("S-iwc-case-III", forms["side"]), power],
-            ),
+            )
         ),
         Rung.POINTS.check(
             "certified minimum of C_1 dΘ/dτ on [-10, ∞) from all its critical points, at five values of β; "

@@ -255,8 +255,4 @@ def _lift_off() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "C-cases-I-II": _cases_one_and_two,
-    "C-iwc-case-III": _case_three,
-    "C-lift-off": _lift_off,
-}
+ENTRIES: Builders = {"C-cases-I-II": _cases_one_and_two, "C-iwc-case-III": _case_three, "C-lift-off": _lift_off}

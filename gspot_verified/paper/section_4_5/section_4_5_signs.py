@@ -60,8 +60,7 @@ def _sign_at_minus_infinity() -> Entry:
     # At tau = -T(beta) itself, T from proofs/signs.md rounded up.
     agrees = all_of(
         same_sign(
-            sign_of(evaluate(-_threshold(beta), beta, derivative=1).value),
-            sign_of(appendix.value_of(sign, beta, 64)),
+            sign_of(evaluate(-_threshold(beta), beta, derivative=1).value), sign_of(appendix.value_of(sign, beta, 64))
         )
         for beta in GRID
     )
@@ -75,7 +74,7 @@ def _sign_at_minus_infinity() -> Entry:
                 "an explicit T(β), from the enveloping series of -β Θ(τ, β - 1), whose first term "
                 "-β (-τ)^(β-1) has the sign for every β > 0",
                 lambda forms: [closed_form(put(leading, **HYPOTHESES["S-minus-infinity"])) / forms["sign"]],
-            ),
+            )
         ),
         Rung.POINTS.check("certified sign at -T(β) for β = 0.1, 0.2, ..., 12.9", agrees),
     )
@@ -149,14 +148,13 @@ def _sign_at_infinity() -> Entry:
                 "-β times the leading form of Θ(τ, β - 1) over 1/Γ(-β) is positive "
                 "and grows like e^(2/3 τ^(3/2)), for a symbol β",
                 lambda forms: [growth / forms["sign of"], rational(growth.exponent("e"))],
-            ),
+            )
         ),
         Rung.POINTS.check("certified sign at τ = 60 for β = 0.1, ..., 12.9 without the integers", agrees),
         INITIAL_VALUES.carries(
             FormulaClaim({"leading": at_integers}).check(
-                "the leading term of dΘ/dτ at β = n, for all n",
-                lambda forms: [leading / forms["leading"]],
-            ),
+                "the leading term of dΘ/dτ at β = n, for all n", lambda forms: [leading / forms["leading"]]
+            )
         ),
         corrected=f"at an integer β = n, dΘ/dτ is a polynomial with leading term {in_greek(at_integers)}",
     )

@@ -204,9 +204,5 @@ def _p0() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "5-ansatz": _ansatz,
-    "5-ansatz-solution": _solution,
-    "5-ansatz-p0": _p0,
-}
+ENTRIES: Builders = {"5-ansatz": _ansatz, "5-ansatz-solution": _solution, "5-ansatz-p0": _p0}
 """The ansatz and its solution, in the order of the paper."""

@@ -38,9 +38,7 @@ PRINTED: dict[str, dict[str, str]] = {
     "5-perturbation-theta": {"equation": "h3 - tau*h1 + beta*h0", "kappa cubed": "-alpha1/2"},
     "5-matching": {"power of kappa": "-beta", "power of epsilon": "2*beta/3"},
 }  # fmt: skip
-CORRECTED: dict[str, dict[str, str]] = {
-    "5-bpert-v": {"factor": "1"},
-}
+CORRECTED: dict[str, dict[str, str]] = {"5-bpert-v": {"factor": "1"}}
 
 
 def _claim(identifier: str) -> Claim:

@@ -40,9 +40,7 @@ IN_INNER = {
     "yd": "delta*y1", "vd": "delta^2*v1", "zd": "delta*z1",
 }  # fmt: skip
 """The outer variables by those of the inner scale, δ³ = ε: ε d/dt is δ d/ds."""
-CORRECTED: dict[str, dict[str, str]] = {
-    "5-fast-system": {"v": "-p*y + p*z + b"},
-}
+CORRECTED: dict[str, dict[str, str]] = {"5-fast-system": {"v": "-p*y + p*z + b"}}
 
 
 def _claim(identifier: str) -> Claim:

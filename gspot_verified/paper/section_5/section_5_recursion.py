@@ -232,11 +232,7 @@ def _monomial() -> Entry:
             explicit,
             fault="the term with s^(k-3) has half its value: for k = 3 it is 12, not 6",
         ),
-        this.check(
-            "s^k with k as a symbol",
-            symbolic,
-            fault="the term with s^(k-3) is 2 k (k-1) (k-2) s^(k-3)",
-        ),
+        this.check("s^k with k as a symbol", symbolic, fault="the term with s^(k-3) is 2 k (k-1) (k-2) s^(k-3)"),
         corrected="(k α_1 - α_3) s^k + 2k(k-1)(k-2) s^(k-3): the factor 2 of 2 b_n''' is missing",
         note="The coefficient of s^k is right, and with it the conclusion: it is not 0 for β not an integer.",
     )

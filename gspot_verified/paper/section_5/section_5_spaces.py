@@ -107,10 +107,7 @@ def by_parities(parts: Parts) -> list[fmpq_mpoly]:
         order = 2 * sigma + 2 * rho + number * (1 + UNSCALED["xi"])
         nu = (order - parity) / 2
         alone = INDICES.substitute(parts[name], {"k": INDICES.constant(0)}) - INDICES.symbols["nu"]
-        found += [
-            sigma + rho + number * odd - INDICES.substitute(parts[name], {"nu": nu}),
-            alone - LEMMA["f"][parity],
-        ]
+        found += [sigma + rho + number * odd - INDICES.substitute(parts[name], {"nu": nu}), alone - LEMMA["f"][parity]]
     return [*found, INDICES.constant(2 * even - UNSCALED["xi"])]
 
 

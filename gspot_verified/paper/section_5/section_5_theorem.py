@@ -234,8 +234,5 @@ def _orders() -> Entry:
     )
 
 
-ENTRIES: Builders = {
-    "5-theorem-1": _existence,
-    "5-theorem-1-orders": _orders,
-}
+ENTRIES: Builders = {"5-theorem-1": _existence, "5-theorem-1-orders": _orders}
 """The theorem, except its spaces."""

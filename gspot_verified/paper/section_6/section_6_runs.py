@@ -31,10 +31,7 @@ LIFT_OFF, TOUCH_DOWN, IMPACT = "lift-off", "touch-down", "impact without collisi
 BETA, EPSILON = fmpq(7, 3), fmpq(1, 10**6)
 STARTS = {"6-first-start": "-9/10", "6-second-start": "-1/2"}
 """φ-dot at φ = φ* + 1/10, y = v = 0."""
-SEQUENCES: dict[str, tuple[str, ...]] = {
-    "6-first-start": (LIFT_OFF, TOUCH_DOWN, IMPACT),
-    "6-second-start": (IMPACT,),
-}
+SEQUENCES: dict[str, tuple[str, ...]] = {"6-first-start": (LIFT_OFF, TOUCH_DOWN, IMPACT), "6-second-start": (IMPACT,)}
 UNTIL = {"6-first-start": "113/1000", "6-second-start": "137/1000"}
 LINES = {"6-first-start": "lines 2230 to 2232", "6-second-start": "lines 2232 to 2234"}
 PRINTED_TIME = fmpq(1, 1000)
@@ -217,11 +214,7 @@ def belongs(case: str) -> bool | None:
     beta, kappa = MEMBERS[case]
     first, second, third = (number(name, beta, kappa) for name in ("alpha_1", "alpha_2", "alpha_3"))
     negative, slower = second < 0, first < third < 0
-    return {
-        "I": negative and slower,
-        "II": second > 0 and slower,
-        "III": negative and third < first < 0,
-    }[case]
+    return {"I": negative and slower, "II": second > 0 and slower, "III": negative and third < first < 0}[case]
 
 
 def ends_before_10_3() -> bool | None:
