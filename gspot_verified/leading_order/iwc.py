@@ -28,7 +28,7 @@ from gspot_verified.leading_order.stretches import Bracket, Stretches, minimum, 
 from gspot_verified.numbers.balls import ExactInput, ball_text, hull, working_bits
 from gspot_verified.numbers.evidence import at_most, less, theorem
 from gspot_verified.numbers.short_text import decimal_text, short_text
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
@@ -49,7 +49,6 @@ class IwcAnswer(NoTruthValue, Written):
     verdict, when proved, holds to the left of ``start`` as well.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
         "force start whole_line verdict minimum=minimum.value minimum_at=minimum.ends every_epsilon epsilon_0 "
         "largest_epsilon lift_off growth"

@@ -15,7 +15,7 @@ from gspot_verified.leading_order.force_refutation import force_refutation
 from gspot_verified.leading_order.stretches import NotAbove, first_crossing, stretches
 from gspot_verified.numbers.balls import ball_text, hull, working_bits
 from gspot_verified.numbers.short_text import decimal_text, short_text
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.work.ranges import Range
 
@@ -33,7 +33,6 @@ class LiftOff(NoTruthValue, Written):
     are None and the verdict says why.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "epsilon bracket zeros=number ratio verdict"
 
     epsilon: fmpq

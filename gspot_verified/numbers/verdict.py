@@ -47,14 +47,12 @@ class NoTruthValue(Shown):
     """
 
     __slots__ = ()
-    ask: ClassVar[str]
+    ask: ClassVar[str] = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
     """What to ask instead; it begins with the name of an attribute, after a dot."""
 
     def __bool__(self) -> NoReturn:
         raise TypeError(f"{type(self).__name__} has no truth value: {self.ask}")
 
-
-ASK_VERDICT = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
 
 _EXIT_CODES = {Outcome.PROVED: 0, Outcome.REFUTED: 1, Outcome.UNDECIDED: 2}
 

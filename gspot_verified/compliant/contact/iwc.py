@@ -19,7 +19,7 @@ from gspot_verified.leading_order.iwc_over_balls import IwcOverBalls
 from gspot_verified.leading_order.iwc_over_balls import iwc_over_balls as leading_order_over_balls
 from gspot_verified.numbers.balls import ExactInput
 from gspot_verified.numbers.evidence import less, theorem
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Verdict
 from gspot_verified.numbers.written import Written, under
 
 BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one rational β, and the alphas are balls"
@@ -29,7 +29,6 @@ BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one r
 class StatementOf(NoTruthValue, Written):
     """What is stated about one of the two systems."""
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = f"system {under('verdict', Verdict.written)}"
 
     system: Literal["leading order", "slow manifold"]
@@ -41,7 +40,6 @@ class CompliantIwc(NoTruthValue, Written):
     """The result of :func:`compliant_iwc`: the statement at leading order and, where a theorem covers it, the one about
     the compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side."""
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
         f"{under('leading', IwcResult.written)} slow_manifold=slow slow_lift_off=lift_off statements caveat"
     )

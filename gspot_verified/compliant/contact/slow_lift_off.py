@@ -21,7 +21,7 @@ from gspot_verified.leading_order.lift_off import LiftOff
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.evidence import at_most, theorem
 from gspot_verified.numbers.short_text import decimal_text, short_text
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.refutation import refutation
 from gspot_verified.work.ranges import Range
@@ -37,7 +37,6 @@ class SlowLiftOff(NoTruthValue, Written):
     statement for every smaller epsilon, with its constant ``kappa``. ``whole_line``: lambda_N > 0 to the left as well.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "epsilon verdict bracket lead kappa uniform whole_line"
 
     epsilon: fmpq

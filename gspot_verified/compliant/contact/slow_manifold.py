@@ -21,7 +21,7 @@ from gspot_verified.leading_order.stretches import stretches
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import every, less, theorem
 from gspot_verified.numbers.short_text import short_text
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.refutation import refutation
 from gspot_verified.work.ranges import Range
@@ -42,7 +42,6 @@ class SlowManifold(NoTruthValue, Written):
     statement itself is for every real tau. ``threshold``: the exact epsilon_0.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "verdict whole_line threshold"
 
     verdict: Verdict

@@ -26,7 +26,7 @@ from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.numbers.balls import ExactInput, approximate, bits_for_digits, working_bits
 from gspot_verified.numbers.evidence import Ends, at_most, cover, every, less
 from gspot_verified.numbers.short_text import decimal_text
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 MAX_DIGITS = 100  # of the bracket; a limit of input: ValueError beyond it
@@ -44,7 +44,6 @@ class FirstZero(NoTruthValue, Written):
     from the G-spot, p = alpha_1 t; ``start`` is the time of the initial state), the force is > 0 from the start up to
     it and falls through 0 there. Undecided: no bracket."""
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "model start lower upper verdict"
 
     model: CompliantModel

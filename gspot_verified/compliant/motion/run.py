@@ -28,7 +28,7 @@ from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.numbers.balls import ball_text, bits_for_digits, digits_for_bits, hull, sign_of, working_bits
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.evidence import equal, every, less, theorem
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 MAX_DIGITS = 80  # of the brackets; a limit of input: ValueError beyond it
@@ -71,7 +71,6 @@ class Event(NoTruthValue, Written):
 class CompliantRun(NoTruthValue, Written):
     """The events of a run from an initial state, in order; the verdict speaks of the whole run."""
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "model start=start times events verdict"
 
     model: CompliantModel

@@ -6,7 +6,6 @@ Proof page: ``proofs/flight.md``, section 2.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from flint import arb, fmpq
 
@@ -14,7 +13,7 @@ from gspot_verified.compliant.model.flight import ContactState, Flight
 from gspot_verified.compliant.model.flight_pieces import landing
 from gspot_verified.numbers.balls import ball_text, hull, sign_of, working_bits
 from gspot_verified.numbers.evidence import at_most, equal, every, less, theorem
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 
 NEVER = "the flight never ends"
 _PAGE = "proofs/flight.md"
@@ -29,8 +28,6 @@ class FlightEnd(NoTruthValue):
 
     Without: the verdict says that the flight never ends, or why the question is open.
     """
-
-    ask: ClassVar[str] = ASK_VERDICT
 
     verdict: Verdict
     lower: fmpq | None = None

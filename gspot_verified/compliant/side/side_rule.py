@@ -19,7 +19,7 @@ from gspot_verified.compliant.slow.slow_coefficient import slow_coefficient
 from gspot_verified.numbers.balls import add_remainder, approximate, ball_text, bits_for_digits, sign_of, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import less
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamma
 
@@ -39,7 +39,6 @@ class SideRule(NoTruthValue, Written):
     K < 0: contact is lost, certainly. K > 0: necessary for an impact without collision, not sufficient.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "C=slow K=side slow_part=slow_side fast_part=fast_side paper_differs verdict"
 
     state: Deviation

@@ -31,7 +31,7 @@ from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end,
 from gspot_verified.expansion.true_solutions.track import track
 from gspot_verified.numbers.balls import ExactInput, ball, ball_text, working_bits
 from gspot_verified.numbers.evidence import every
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 _ORDER = 10  # of the expansion
@@ -50,7 +50,6 @@ class AffineSide(NoTruthValue, Written):
     certain. Slip is assumed to stay positive.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "p=start.p b=start.b within=start.within epsilon side verdict"
 
     start: AffineStart

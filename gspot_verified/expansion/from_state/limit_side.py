@@ -14,7 +14,7 @@ from gspot_verified.expansion.from_state.slow_series import Contact, contact_tex
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.numbers.balls import ExactInput, ball_text, exact
 from gspot_verified.numbers.evidence import less, theorem
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import MAX_BETA
 
@@ -30,7 +30,6 @@ class LimitSide(NoTruthValue, Written):
     large it is is not said, nor that an impact is completed.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "beta k_1=regularisation.k_1 k_2=regularisation.k_2 c=regularisation.c side verdict"
 
     beta: fmpq | arb

@@ -18,7 +18,7 @@ from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges, smal
 from gspot_verified.expansion.true_solutions.equations import Residuals
 from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_entered, joined, latest_at, proved_so_far
 from gspot_verified.numbers.balls import ExactInput, ball, ball_text, hull, working_bits
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 
@@ -33,7 +33,6 @@ class ModelSide(NoTruthValue, Written):
     is about the model system only.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
         "beta=start.beta alpha_1=start.alpha_1 alpha_2=start.alpha_2 k_1=start.regularisation.k_1 "
         "k_2=start.regularisation.k_2 c=start.regularisation.c p=start.p b=start.b within=start.within "

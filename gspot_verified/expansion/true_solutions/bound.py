@@ -16,7 +16,7 @@ from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.track import Track, track
 from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, ball_text, exact, working_bits
 from gspot_verified.numbers.evidence import cover, every, less
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 BITS = 128  # of all bounds here; less make them wider
@@ -50,7 +50,6 @@ class UniformBound(NoTruthValue, Written):
     ``stretches`` has the constants piece by piece. Where ``verdict`` is undecided they end before ``end``.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
         "name=trajectory.system.name order start end delta within verdict contact_lasts=contact "
         "state=rows.state contact=rows.contact stretches=stretch_rows"

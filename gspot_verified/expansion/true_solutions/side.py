@@ -25,7 +25,7 @@ from gspot_verified.expansion.true_solutions.side_end import (
 from gspot_verified.expansion.true_solutions.slow_deviation import slow_deviation
 from gspot_verified.expansion.true_solutions.track import track
 from gspot_verified.numbers.balls import ExactInput, add_remainder, approximate, ball, ball_text, working_bits
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
 REACH = 4.0  # tau up to which a cone is looked for: a heuristic
@@ -42,7 +42,6 @@ class UniformSide(NoTruthValue, Written):
     ``start`` over delta^(2 beta - 2), by component: xi_1, ..., p, b, y, v. ``ends`` are those of ranges of delta.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
         "name=trajectory.system.name order=trajectory.order c_1 beta start delta epsilon within side entered verdict"
     )

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import ClassVar
 
 from flint import arb
 
@@ -28,7 +27,7 @@ from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.numbers.balls import current_bits
 from gspot_verified.numbers.evidence import every, inside
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 
 MAX_STEPS = 20_000  # against endless work; then the run is open
 _HALVINGS = 40  # of a step that is not proved; then the run is open
@@ -116,8 +115,6 @@ class Run:
 @dataclass(frozen=True, slots=True)
 class Integration(NoTruthValue):
     """The result of :func:`integrate`. ``end`` encloses the states at the end; None when it was not reached."""
-
-    ask: ClassVar[str] = ASK_VERDICT
 
     verdict: Verdict
     end: tuple[arb, ...] | None

@@ -9,7 +9,7 @@ from flint import arb
 
 from gspot_verified.mechanisms.spots.classify import case_text
 from gspot_verified.numbers.balls import ShownBall, ball_text
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
 
 LIFT_OFF, IMPACT = "lift-off", "impact without collision"
@@ -56,7 +56,6 @@ class Approach(NoTruthValue, Written):
     ``spot`` encloses the G-spot as numbers, angles counted from their references; empty where there is none.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = (
         "name start solved verdict end time place case alphas beta C1=coefficient side side_reason rests_on "
         "surface_velocity least_slip fast_exponent notes warnings bits path"

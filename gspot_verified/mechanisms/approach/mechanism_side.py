@@ -25,7 +25,7 @@ from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.spot_conditions import components_of
 from gspot_verified.numbers.balls import ExactInput, ball_text, working_bits
 from gspot_verified.numbers.evidence import differ, every, less, signed
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written, under
 
 
@@ -41,7 +41,6 @@ class MechanismSide(NoTruthValue, Written):
     ``explicit``, where it was asked for and the alphas are affine in p and b: an epsilon_0 for a stated set of starts.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "side active verdict explicit " + under(
         "approach",
         "name start solved end place case alphas beta C1=coefficient surface_velocity least_slip notes warnings bits",

@@ -38,7 +38,6 @@ class AllClassified(NoTruthValue, Written):
     for the value shown only. ``at_place`` is the number of the spot at the place that the mechanism names.
     """
 
-    ask: ClassVar[str] = ".verdict.outcome is Outcome.PROVED, REFUTED or UNDECIDED"
     written: ClassVar[str] = "search=found critical_friction=critical spots vary"
 
     found: GSpots

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, NamedTuple
 
 from gspot_verified.numbers.evidence import answered, every, less
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.numbers.written import ByName, Written
 from gspot_verified.paper.checks.consequences import Consequence, consequence
 from gspot_verified.paper.checks.formal_proof import FormalProof
@@ -87,7 +87,6 @@ class Entry(NoTruthValue, Written):
     the checks were run earlier, on the same sources, and their result was kept.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     definition: ClassVar[str] = "entry"
     written: ClassVar[str] = (
         "identifier label printed=cited.printed verbatim quotations=cited.quotations lines code from_cache formal "

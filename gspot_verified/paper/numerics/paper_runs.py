@@ -24,7 +24,7 @@ from gspot_verified.compliant.slow.grid import scale
 from gspot_verified.compliant.slow.slow_solution import slow_value
 from gspot_verified.numbers.balls import ShownBall, ball_text, working_bits
 from gspot_verified.numbers.evidence import equal, every, less
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.theta_function.value.evaluate import evaluate
 
@@ -44,7 +44,6 @@ class PaperRun(NoTruthValue, Written):
     ``margin``: a lower bound of lambda/|mean force| up to the G-spot (lift-off) or for all times (impact).
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "beta nu fate epsilon_0 margin verdict"
 
     beta: fmpq

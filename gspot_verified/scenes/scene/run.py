@@ -9,7 +9,7 @@ from typing import ClassVar, NamedTuple
 from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import approximate, working_bits
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
 from gspot_verified.scenes.scene.assumption import Assumption
@@ -67,7 +67,6 @@ class SceneRun(NoTruthValue, Written):
     that are left out assume of the motion, and how that stands; what the model system has by definition is not in it.
     """
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "strength fate events=event_rows verdict assumptions"
 
     strength: str

@@ -6,12 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import ClassVar
 
 from flint import fmpq
 
 from gspot_verified.numbers.evidence import at_most, equal, every, less
-from gspot_verified.numbers.verdict import ASK_VERDICT, Evidence, NoTruthValue, Verdict
+from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Verdict
 from gspot_verified.work.ranges import Range
 
 Point = tuple[fmpq, ...]
@@ -22,8 +21,6 @@ Failure = tuple[str, Evidence | None]
 @dataclass(frozen=True, slots=True)
 class Refutation(NoTruthValue):
     """A verdict "refuted" and the point that it rests on, one number for each range that was asked about."""
-
-    ask: ClassVar[str] = ASK_VERDICT
 
     verdict: Verdict
     point: Point

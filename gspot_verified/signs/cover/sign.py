@@ -18,7 +18,7 @@ from gspot_verified.numbers.balls import ball, hull, working_bits
 from gspot_verified.numbers.counted import counted
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover, equal, signed
-from gspot_verified.numbers.verdict import ASK_VERDICT, NoTruthValue, Outcome, Reason, Verdict
+from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.cover.journal import opened
 from gspot_verified.signs.cover.pieces import Column
@@ -39,7 +39,6 @@ class SignResult(NoTruthValue, Written):
     """The verdict; ``columns`` prove the statement, or ``point`` and ``sign_there`` refute it and ``columns`` prove the
     sign at that point. At one point with an integer beta there are no columns: an integer polynomial is evaluated."""
 
-    ask: ClassVar[str] = ASK_VERDICT
     written: ClassVar[str] = "statement verdict columns=columns.__len__ pieces examined point sign_there"
 
     statement: SignStatement
