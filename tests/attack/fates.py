@@ -14,6 +14,7 @@ from attack.mechanisms import body, file_of
 from attack.reference_plane import PlaneSlip, Powers, value
 from attack.reference_plane import Unsure as UnsurePlane
 from attack.reference_slip import Slip, Unsure
+from samples.model_texts import model_text
 
 from gspot_verified import Outcome
 from gspot_verified.expansion.series.system import GSpotError
@@ -24,28 +25,7 @@ from gspot_verified.mechanisms.fates.fates_result import Fates
 from gspot_verified.mechanisms.input.file import parse_mechanism
 from gspot_verified.mechanisms.input.mechanism import MechanismError
 
-_MODEL = """
-format = 1
-name = "model"
-[fields]
-state = ["x", "u", "y", "v", "p", "b"]
-F = ["u", "push", "v", "b", "alpha_1", "alpha_2"]
-G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "(alpha_3)/(2*(1 - p))"]
-G_N = [0, "1/2", 0, "(1 + p)/2", 0, "-(alpha_3)/2"]
-[contact]
-x = "x"
-y = "y"
-mu = "1 - p"
-[g_spot]
-fixed = ["x", "u"]
-[g_spot.point]
-x = 0
-u = 1
-y = 0
-v = 0
-p = 0
-b = 0
-"""
+_MODEL = model_text('"u", "push", "v", "b", "alpha_1", "alpha_2"', "alpha_3")
 _POWERS = {"1": (0, 0), "p": (1, 0), "b": (0, 1), "p^2": (2, 0), "p*b": (1, 1), "b^2": (0, 2)}
 _WIDTHS = tuple(Fraction(1, n) for n in (1, 2, 2, 5, 5, 20, 20, 100, 1000, 10**6, 10**12))
 _PIECES = 10  # that are looked at: most of them such that slip begins

@@ -16,6 +16,7 @@ from attack.answers import AGREED, Answer, Attack, undecided, wrong
 from attack.balls_as_numbers import to_fraction
 from attack.mechanisms import body, drawn_body, file_of
 from attack.sweeps import Spots, matching, shown, sign_of, spots_of, untrue_piece, value_in
+from samples.model_texts import model_text
 
 from gspot_verified import Outcome
 from gspot_verified.expansion.series.system import GSpotError
@@ -27,31 +28,7 @@ from gspot_verified.mechanisms.sweep.sweep_result import Sweep
 
 _NAMES = ("par", "other")
 _WIDTHS = (Fraction(1, 2), Fraction(1, 5), Fraction(1, 20), Fraction(1, 10**6), Fraction(1, 10**40))
-_MODEL = """
-format = 1
-name = "model"
-[parameters]
-par = 0
-other = 0
-[fields]
-state = ["x", "u", "y", "v", "p", "b"]
-F = ["u", 0, "v", "b", "alpha_1", "alpha_2"]
-G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "alpha_3/(2*(1 - p))"]
-G_N = [0, "1/2", 0, "(1 + p)/2", 0, "-(alpha_3)/2"]
-[contact]
-x = "x"
-y = "y"
-mu = "1 - p"
-[g_spot]
-fixed = ["x", "u"]
-[g_spot.point]
-x = 0
-u = 1
-y = 0
-v = 0
-p = 0
-b = 0
-"""
+_MODEL = model_text('"u", 0, "v", "b", "alpha_1", "alpha_2"', "alpha_3", "par = 0\nother = 0")
 _INSIDE, _CORNERS, _CURVES = 4, 3, 3  # places that are looked at
 _PIECES = 24  # that a sweep divides by itself: a question is to take a second, not a minute
 _STEPS = 12  # on the way from the start to a place

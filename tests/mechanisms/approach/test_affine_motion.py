@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from flint import fmpq
+from samples.model_texts import model_text
 
 from gspot_verified import load, mechanism_side
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
@@ -14,32 +15,11 @@ from gspot_verified.functions.expressions import Constant, Expression, Power, Si
 from gspot_verified.mechanisms.approach.affine_motion import _polynomials, affine_system_of, with_explicit
 from gspot_verified.mechanisms.input.file import parse_mechanism
 
-TEXT = """
-format = 1
-name = "one with affine alphas"
-[parameters]
-alpha_1 = "-1/2"
-alpha_2 = -1
-alpha_3 = "-3/4"
-[fields]
-state = ["x", "u", "y", "v", "p", "b"]
-F = ["u", 0, "v", "b", "alpha_1 + p/5 + b", "alpha_2 - p + 2*b"]
-G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "(alpha_3 + 3*p)/(2*(1 - p))"]
-G_N = [0, "1/2", 0, "(1 + p)/2", 0, "-(alpha_3 + 3*p)/2"]
-[contact]
-x = "x"
-y = "y"
-mu = "1 - p"
-[g_spot]
-fixed = ["x", "u"]
-[g_spot.point]
-x = 0
-u = 1
-y = 0
-v = 0
-p = 0
-b = 0
-"""
+TEXT = model_text(
+    '"u", 0, "v", "b", "alpha_1 + p/5 + b", "alpha_2 - p + 2*b"',
+    "alpha_3 + 3*p",
+    'alpha_1 = "-1/2"\nalpha_2 = -1\nalpha_3 = "-3/4"',
+)
 
 
 def found_in(*changes: tuple[str, str]) -> tuple[tuple[str, str], AffineSystem] | None:

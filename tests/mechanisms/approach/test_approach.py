@@ -15,6 +15,7 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples.model_texts import model_text
 from samples.strategies import to_fmpq
 
 from gspot_verified.mechanisms.approach.approach import approach
@@ -132,34 +133,7 @@ def test_lift_off_in_case_two_in_closed_form() -> None:
     assert "lift-off before any G-spot" in str(found)
 
 
-BRAKED = parse_mechanism(
-    """
-format = 1
-name = "the model with p growing and u falling at every force"
-
-[fields]
-state = ["x", "u", "y", "v", "p", "b"]
-F = ["u", -1, "v", "b", 1, 1]
-G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "-1/(2*(1 - p))"]
-G_N = [0, "1/2", 0, "(1 + p)/2", 0, "1/2"]
-
-[contact]
-x = "x"
-y = "y"
-mu = "1 - p"
-
-[g_spot]
-fixed = ["x", "u"]
-
-[g_spot.point]
-x = 0
-u = 1
-y = 0
-v = 0
-p = 0
-b = 0
-"""
-)
+BRAKED = parse_mechanism(model_text('"u", -1, "v", "b", 1, 1', "-1"))
 """u' = -1 - λ_N and, along slip, b/p = p/2 - c/p: from p = 1/2, b = -1/4 it lifts off with u smaller by 1/4."""
 
 

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from flint import arb, fmpq
+from samples.model_texts import model_text
 from scipy.integrate import solve_ivp
 
 from gspot_verified.functions.rings import BALLS
@@ -35,35 +36,12 @@ from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 
 BETA = 8 / 5
-FAMILY = """
-format = 1
-name = "alpha_2 changes its sign"
-[parameters]
-alpha_3 = "-8/5"
-[fields]
-state = ["x", "u", "y", "v", "p", "b"]
-F = ["u", 0, "v", "b", -1, "-1 + 8*p"]
-G_T = [0, "3/(2*(1 - p))", 0, "1/2", 0, "alpha_3/(2*(1 - p))"]
-G_N = [0, "1/2", 0, "(1 + p)/2", 0, "-alpha_3/2"]
-[contact]
-x = "x"
-y = "y"
-mu = "1 - p"
-[g_spot]
-fixed = ["x", "u"]
-[g_spot.point]
-x = 0
-u = 1
-y = 0
-v = 0
-p = 0
-b = 0
-"""
+ALPHA_2_CHANGES_ITS_SIGN = model_text('"u", 0, "v", "b", -1, "-1 + 8*p"', "alpha_3", 'alpha_3 = "-8/5"')
 
 
 @cache
 def family() -> Mechanism:
-    return parse_mechanism(FAMILY)
+    return parse_mechanism(ALPHA_2_CHANGES_ITS_SIGN)
 
 
 @cache
