@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 
 import pytest
-from scenes.simulators.test_planar_model import walker
 from scenes.simulators.test_comparison_programs import the_rod
+from scenes.simulators.test_planar_model import walker
 
 from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators.engine import follow
