@@ -26,6 +26,15 @@ Definition jacobian_on {I : Type} (all : list I) (f : I -> (I -> R) -> R) (J : I
   forall v, in_box low high v -> forall i (d : I -> R),
     is_derive (fun s => f i (fun j => v j + s * d j)) 0 (total all (fun j => J i j v * d j)).
 
+(** phi is differentiable at v (in the sense of Frechet) with the gradient d. *)
+Definition gradient_at {I : Type} (all : list I) (phi : (I -> R) -> R) (d v : I -> R) : Prop :=
+  forall eps, 0 < eps -> exists near, 0 < near /\ forall v', (forall j, Rabs (v' j - v j) <= near) ->
+    Rabs (phi v' - phi v - total all (fun j => d j * (v' j - v j))) <= eps * total all (fun j => Rabs (v' j - v j)).
+
+(** L_F phi, the derivative of phi along the field F; d holds the partial derivatives of phi. *)
+Definition along {I : Type} (all : list I) (d F : I -> (I -> R) -> R) (v : I -> R) : R :=
+  total all (fun j => d j v * F j v).
+
 (** Time runs from 0 to 1 in a step of length h: xi' = h f(xi) from 0 to T. *)
 Definition solves {I : Type} (f : I -> (I -> R) -> R) (h : R) (xi : I -> R -> R) (T : R) : Prop :=
   forall i t, 0 <= t <= T -> is_derive (xi i) t (h * f i (fun j => xi j t)).
@@ -81,3 +90,72 @@ Definition validated_set : Prop := forall (I : Type) (all : list I) f J (low hig
   exists A : I -> I -> R,
     (forall i j, Rabs (A i j - Yh i j 1) <= w i * exp (Rmax (h * mu) 0) * bound j) /\
     forall i, xi i 1 = zeta i 1 + total all (fun j => A i j * (xi j 0 - x j 0)).
+
+(** ** Events: Theorems V5 and V6
+
+    What holds for one solution of the set, in its own time: where a sign is certain for the set it holds for each
+    solution, and the lengths of the steps are numbers for each. *)
+
+(** The state at t. *)
+Definition state {I : Type} (xi : I -> R -> R) (t : R) : I -> R := fun i => xi i t.
+
+(** A piece of a run: the box that holds the states on it. *)
+Record piece (I : Type) : Type := Piece { low_on : I -> R; high_on : I -> R }.
+
+Definition on_piece {I : Type} (one : piece I) (v : I -> R) : Prop := in_box (low_on I one) (high_on I one) v.
+
+(** The pieces follow one another from t to m, none left out. *)
+Fixpoint covers {I : Type} (xi : I -> R -> R) (t : R) (run : list (piece I)) (m : R) : Prop :=
+  match run with
+  | nil => t = m
+  | one :: rest => exists next, t < next /\ (forall s, t <= s <= next -> on_piece one (state xi s)) /\
+      covers xi next rest m
+  end.
+
+Definition negative {I : Type} (g : (I -> R) -> R) (one : piece I) : Prop := forall v, on_piece one v -> g v < 0.
+Definition rising {I : Type} (g' : (I -> R) -> R) (one : piece I) : Prop := forall v, on_piece one v -> 0 < g' v.
+
+Definition every {I : Type} (run : list (piece I)) (Q : piece I -> Prop) : Prop := forall one, In one run -> Q one.
+
+(** xi moves as f says from t0 to m; along it g has the gradient d. *)
+Definition moves_with {I : Type} (all : list I) (f : I -> (I -> R) -> R) (g : (I -> R) -> R) (d : I -> (I -> R) -> R)
+    (xi : I -> R -> R) (t0 m : R) : Prop := forall s, t0 <= s <= m ->
+  (forall i, is_derive (xi i) s (f i (state xi s))) /\ gradient_at all g (fun j => d j (state xi s)) (state xi s).
+
+(** From t0 to m all pieces are negative or rising, and g < 0 at t0. (So each row of rising pieces begins with g < 0: at
+    t0, or at the end of a negative piece.) *)
+Definition followed {I : Type} (all : list I) (f : I -> (I -> R) -> R) (g : (I -> R) -> R) (d : I -> (I -> R) -> R)
+    (xi : I -> R -> R) (t0 : R) (run : list (piece I)) (m : R) : Prop :=
+  covers xi t0 run m /\ every run (fun one => negative g one \/ rising (along all d f) one) /\ g (state xi t0) < 0.
+
+(** Theorem V5 (a): g < 0 at m, so g has no zero up to m. *)
+Definition no_event : Prop := forall (I : Type) (all : list I) f g d xi t0 m run, (forall i : I, In i all) ->
+  moves_with all f g d xi t0 m -> followed all f g d xi t0 run m -> g (state xi m) < 0 ->
+  forall s, t0 <= s <= m -> g (state xi s) < 0.
+
+(** Theorem V5 (b): up to m0 as before, with g < 0 there; from m0 to m all pieces are rising, with g > 0 at m. *)
+Definition crossing {I : Type} (all : list I) (f : I -> (I -> R) -> R) (g : (I -> R) -> R) (d : I -> (I -> R) -> R)
+    (xi : I -> R -> R) (t0 : R) (before : list (piece I)) (m0 : R) (stretch : list (piece I)) (m : R) : Prop :=
+  followed all f g d xi t0 before m0 /\ g (state xi m0) < 0 /\ covers xi m0 stretch m /\
+  every stretch (rising (along all d f)) /\ 0 < g (state xi m).
+
+(** g has exactly one zero up to m. It lies between m0 and m, g < 0 before it, g > 0 after it, and g' > 0 there. From m0
+    to m the states are in each box that holds those of all pieces between, and g' is between bounds of it on them. *)
+Definition one_event : Prop := forall (I : Type) (all : list I) f g d xi t0 before m0 stretch m,
+  (forall i : I, In i all) -> moves_with all f g d xi t0 m -> crossing all f g d xi t0 before m0 stretch m ->
+  exists zero, m0 < zero < m /\ g (state xi zero) = 0 /\ 0 < along all d f (state xi zero) /\
+    (forall s, t0 <= s < zero -> g (state xi s) < 0) /\ (forall s, zero < s <= m -> 0 < g (state xi s)) /\
+    (forall low high, every stretch (fun one => forall v, on_piece one v -> in_box low high v) ->
+      forall s, m0 <= s <= m -> in_box low high (state xi s)) /\
+    (forall low high, every stretch (fun one => forall v, on_piece one v -> low <= along all d f v <= high) ->
+      forall s, m0 <= s <= m -> low <= along all d f (state xi s) <= high).
+
+(** Theorem V6: of several functions, each with pieces of its own, g k with k = one crosses 0 up to m; each other one is
+    followed up to m and < 0 there. Then g one is the first to vanish, and the only one up to its zero (and to m). *)
+Definition first_event : Prop := forall (I K : Type) (all : list I) f (g : K -> (I -> R) -> R) d xi t0 before m0
+  stretch m (one : K) (run : K -> list (piece I)), (forall i : I, In i all) ->
+  (forall k, moves_with all f (g k) (d k) xi t0 m) -> crossing all f (g one) (d one) xi t0 before m0 stretch m ->
+  (forall k, k <> one -> followed all f (g k) (d k) xi t0 (run k) m /\ g k (state xi m) < 0) ->
+  exists zero, m0 < zero < m /\ g one (state xi zero) = 0 /\
+    (forall s, t0 <= s < zero -> g one (state xi s) < 0) /\
+    forall k, k <> one -> forall s, t0 <= s <= m -> g k (state xi s) < 0.

@@ -1,8 +1,8 @@
 (** * The theorems
 
     Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v],
-    [StatementStep.v], [StatementCertificate.v], [StatementChecker.v], [StatementForce.v] and [StatementRun.v] is
-    proved here under its own name, from the files named for the steps. *)
+    [StatementStep.v], [StatementApproach.v], [StatementCertificate.v], [StatementChecker.v], [StatementForce.v] and
+    [StatementRun.v] is proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -18,7 +18,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns DipSound.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep
-  ValidatedStep StatementForce ForceRuns StatementRun RunRuns Majorant.
+  ValidatedStep Events StatementApproach Capture SignOfC1 NegativeC1 StatementForce
+  ForceRuns StatementRun RunRuns Majorant.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate
   StatementChecker.
 Import ListNotations.
@@ -801,6 +802,26 @@ Proof. exact ValidatedStep.step_solution. Qed.
 
 Theorem validated_set : StatementStep.validated_set.
 Proof. exact ValidatedStep.set_of_solutions. Qed.
+
+Theorem no_event : StatementStep.no_event.
+Proof. exact Events.no_event. Qed.
+
+Theorem one_event : StatementStep.one_event.
+Proof. exact Events.one_event. Qed.
+
+Theorem first_event : StatementStep.first_event.
+Proof. exact Events.first_event. Qed.
+
+(** ** Slip reaches a G-spot *)
+
+Theorem capture : StatementApproach.capture.
+Proof. exact Capture.captured. Qed.
+
+Theorem sign_of_C1 : StatementApproach.sign_of_C1.
+Proof. exact SignOfC1.sign_of_the_limit. Qed.
+
+Theorem negative_C1 : StatementApproach.negative_C1.
+Proof. exact NegativeC1.negative_limit. Qed.
 
 (** ** Certificates *)
 

@@ -65,13 +65,14 @@ STATED_IN = (
     "StatementCompliant",
     "StatementFlight",
     "StatementStep",
+    "StatementApproach",
     "StatementCertificate",
     "StatementChecker",
     "StatementForce",
     "StatementRun",
 )
-"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, certificates, checkers of
-these, a checker of runs."""
+"""The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, slip to a G-spot,
+certificates, checkers of these, a checker of runs."""
 READ = (*STATED_IN, "CertificateText", "ForceText", "RunScene", "RunText")
 """Who wants to know what is proved reads these."""
 BELIEVED = {

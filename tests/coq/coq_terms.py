@@ -23,6 +23,7 @@ STATEMENTS = [
         "StatementCompliant",
         "StatementFlight",
         "StatementStep",
+        "StatementApproach",
         "StatementCertificate",
         "StatementChecker",
         "StatementForce",
