@@ -11,6 +11,7 @@ from gspot_verified.integrator.box_steps.step import Plan, PolynomialCurve
 from gspot_verified.numbers.balls import approximate, current_bits
 
 _SMALLEST_LOG = -1e9  # stands for the logarithm of 0
+_NORMAL = 1e-300  # as a double, a number above it and below its inverse has all its bits
 _POWER_STEPS = 12  # of the power method for the weights
 _LARGEST_GROWTH = 8.0  # e^8: of errors in one step
 _LEAST_GROWTH = 1.0  # e^1: room that wide sets have too
@@ -29,6 +30,9 @@ def order_for(bits: int) -> int:
 def log2_of(value: arb) -> float:
     """The binary logarithm of the midpoint's absolute value; very small for 0."""
     middle = value.mid()
+    near = abs(float(middle))
+    if _NORMAL < near < 1 / _NORMAL:
+        return math.log2(near)
     if not middle.is_finite():
         return math.inf
     mantissa, exponent = middle.man_exp()

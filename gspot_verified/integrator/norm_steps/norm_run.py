@@ -58,12 +58,18 @@ class NormRun:
     """Segments from an initial box; iterate over it. ``reason`` says why the iteration ended early, if it did.
 
     ``steps``: what an interrupted run has chosen, to be proved again, and who is told of each step that is proved.
+    ``slow``: whether steps along a slow manifold are tried, which leave out what has decayed to rounding errors.
 
     :raises ValueError: a box of another dimension, or a component that is not finite.
     """
 
     def __init__(
-        self, field: VectorField, box: Sequence[arb], time: arb | None = None, steps: Steps | None = None
+        self,
+        field: VectorField,
+        box: Sequence[arb],
+        time: arb | None = None,
+        steps: Steps | None = None,
+        slow: bool = True,
     ) -> None:
         if len(box) != field.dimension:
             raise ValueError(f"box: expected {field.dimension} components, got {len(box)}")
@@ -80,7 +86,7 @@ class NormRun:
         """Whether it ended because of the number of steps."""
         self._left = time
         self._curve = TaylorCurve(field)
-        self._decay = FastDecay()
+        self._decay, self._slow = FastDecay(), slow
         self.set = self._of_box(box)
 
     def __iter__(self) -> Iterator[NormSegment]:
@@ -164,7 +170,7 @@ class NormRun:
     def _slow_step(self, left: arb | None) -> NormStep | None:
         """A step along the slow manifold, where the decaying parts have died out and it is worth it."""
         bits = self._curve.fraction_bits(self.set.middle)
-        for _ in range(_SLOW_TRIES):
+        for _ in range(_SLOW_TRIES if self._slow else 0):
             length = self._decay.slow_length(bits, self._curve.length)
             if left is not None:
                 length = min(length, approximate(left) / 2)

@@ -20,6 +20,7 @@ _DECAYED_BITS = 24  # below the first terms, so that they are not the flat serie
 _TAIL_BITS = 6  # above the last one, at which the last coefficients are aimed
 _LARGEST_CHANGE = 2.0  # of the length, from one try to the next
 _KEPT_CHANGE = 1.08  # below it the coefficients are scaled, not made again
+_GUESSED_CHANGE = 1.25  # of the length, from one step to the next: for a shorter one the coefficients are scaled
 _LARGEST_TRIES = 4  # lengths of one step
 _FIRST_LENGTH = 0.25  # of a run, before anything is known
 _STEP_BITS = 8  # of a length
@@ -48,7 +49,7 @@ class TaylorCurve:
 
     def fraction_bits(self, state: Sequence[arb]) -> int:
         """How many bits after the point leave the largest component exact at the precision in force."""
-        return self._bits - max(0, *(math.ceil(log2_of(x)) for x in state), 0)
+        return self._bits - max(0, math.ceil(max(map(log2_of, state))))
 
     def exact(self, state: Sequence[arb]) -> tuple[arb, ...]:
         """Exact numbers next to the midpoints, on the grid of the recurrence."""
@@ -60,19 +61,18 @@ class TaylorCurve:
         """The length and the polynomials in τ of a step; halved as often as asked, and not longer than what is left."""
         bits = self.fraction_bits(middle)
         start = [fixed(x, bits) for x in middle]
-        if halvings:
-            self._guess /= 2
+        guess = self._guess / 2 if halvings else rounded(self._guess * _GUESSED_CHANGE)
         for tries in range(_LARGEST_TRIES):
-            table = self._recurrence.coefficients(start, fixed(arb(self._guess), bits), self.order, bits)
+            table = self._recurrence.coefficients(start, fixed(arb(guess), bits), self.order, bits)
             change = 1.0 if halvings else self._change(table)
             if change <= _KEPT_CHANGE or tries == _LARGEST_TRIES - 1:
                 break
-            self._guess = rounded(self._guess * change)  # a multiple of rounding errors is no coefficient
-        length = rounded(self._guess * min(change, _KEPT_CHANGE))
+            guess = rounded(guess * change)  # a multiple of rounding errors is no coefficient
+        length = rounded(guess * min(change, _KEPT_CHANGE))
         h = arb(length)
         if left is not None and not 2 * h < left:
             h = arb(rounded(approximate(left) / 2)) if h < left else left
-        ratio = fixed((h / self._guess).mid(), bits)
+        ratio = fixed((h / guess).mid(), bits)
         powers = [1 << bits]
         for _ in range(self.order):
             powers.append((powers[-1] * ratio) >> bits)

@@ -63,6 +63,7 @@ class TaylorRecurrence:
         values = [name for name in names if name not in states]
         lines = [f"{name}, l{name} = [x[{i}]], 0" for i, name in enumerate(states)]
         lines += [f"{name}, l{name} = [], 0" for name in values]
+        lines += [f"rates_{name}, sines_{name}, cosines_{name} = [], [], []" for name in values if self._turns(name)]
         for i in range(len(self._code.constants)):
             lines += [f"c{i} = c[{i}]", f"series_c{i}, lseries_c{i} = [c{i}] + [0] * order, 0"]
         lines.append("for k in range(order):")
@@ -73,8 +74,14 @@ class TaylorRecurrence:
             lines.append(f"    t = step * {_term(root)} // ((k + 1) << F)")
             lines += [f"    {name}.append(t)", f"    if t: l{name} = k + 1"]
         lines.append(f"return [{', '.join(states)}]")
-        operations = {"convolution": _convolution, "weighted": _weighted, "first_of": _first, "isqrt": isqrt}
+        operations = {
+            "convolution": _convolution, "squared": _squared, "weighted": _weighted, "turned": _turned,
+            "first_of": _first, "isqrt": isqrt,
+        }  # fmt: skip
         return program("x, c, order, step, F", lines, operations)
+
+    def _turns(self, name: str) -> bool:
+        return self._code.definition(name)[0] == "sine and cosine"
 
     def _coefficient(self, name: str) -> str:
         """Python text for the coefficient k of a value."""
@@ -93,7 +100,7 @@ class TaylorRecurrence:
                     return f"({_term(left, True)} * {_term(right, True)}) >> F"
                 return f"convolution({left}, l{left}, {right}, l{right}, k) >> F"
             case "square":
-                return f"convolution({u}, l{u}, {u}, l{u}, k) >> F"
+                return f"squared({u}, l{u}, k) >> F"
             case "reciprocal":
                 rest = f"-(convolution({u}, l{u}, [*{name}, 0], k, k) * {name}[0]) >> (2 * F)"
                 return f"{rest} if k else (1 << (2 * F)) // {u}[0]"
@@ -110,7 +117,7 @@ class TaylorRecurrence:
                 rest = f"((({u}[k] * k) << F) - weighted([*{name}, 0], {u}, k)) // (k * {u}[0])"
                 return f"{rest} if k else first_of('log', {u}[0], F)"
             case "sine and cosine":
-                return f"(first_of('sin', {u}, F, k, {name}), first_of('cos', {u}, F, k, {name}))"
+                return f"turned({u}, k, F, rates_{name}, sines_{name}, cosines_{name})"
             case "sine" | "cosine":
                 return f"{u}[k][{0 if operation == 'sine' else 1}]"
         raise TypeError(f"no recurrence of {operation}")
@@ -139,8 +146,33 @@ def _term(name: str, factor: bool = False) -> str:
 
 def _convolution(a: list[int], last_a: int, b: list[int], last_b: int, k: int) -> int:
     """The sum of a_j b_(k-j), where a and b vanish after their last coefficients."""
+    if last_a >= k <= last_b:
+        return sum(map(mul, a, b[k::-1]))
     low, high = max(0, k - last_b), min(k, last_a)
     return sum(map(mul, a[low : high + 1], b[k - high : k - low + 1][::-1])) if low <= high else 0
+
+
+def _squared(a: list[int], last: int, k: int) -> int:
+    """The sum of a_j a_(k-j): each product of two different factors once."""
+    half = (k + 1) // 2
+    low = max(0, k - last)
+    twice = 2 * sum(map(mul, a[low:half], a[k - low : k - half : -1])) if low < half else 0
+    return twice if k % 2 else twice + a[half] * a[half]
+
+
+def _turned(
+    angle: list[int], k: int, fraction_bits: int, rates: list[int], sines: list[int], cosines: list[int]
+) -> tuple[int, int]:
+    """The coefficients k of the sine and the cosine of a series: s' = u' c, c' = -u' s; ``rates`` are those of u'."""
+    if k == 0:
+        pair = _first("sin", angle[0], fraction_bits), _first("cos", angle[0], fraction_bits)
+    else:
+        rates.append(k * angle[k])
+        unit = k << fraction_bits
+        pair = sum(map(mul, rates, cosines[::-1])) // unit, -(sum(map(mul, rates, sines[::-1])) // unit)
+    sines.append(pair[0])
+    cosines.append(pair[1])
+    return pair
 
 
 def _weighted(a: list[int], b: list[int], k: int, p: int = 1, q: int = 0) -> int:
@@ -148,15 +180,8 @@ def _weighted(a: list[int], b: list[int], k: int, p: int = 1, q: int = 0) -> int
     return sum((p * j - q * (k - j)) * a[j] * b[k - j] for j in range(1, k + 1))
 
 
-def _first(operation: str, base: Any, fraction_bits: int, *more: Any) -> int:
-    """The value of a function at the start; for sine and cosine every coefficient."""
-    if operation in ("sin", "cos"):
-        k, pairs = more
-        if k > 0:
-            weights = (j * base[j] * pairs[k - j][operation == "sin"] for j in range(1, k + 1))
-            total: int = sum(weights) // (k << fraction_bits)
-            return total if operation == "sin" else -total
-        base = base[0]
+def _first(operation: str, base: int, fraction_bits: int, *more: int) -> int:
+    """The value of a function at the start."""
     with working_bits(2 * fraction_bits + abs(base).bit_length() + _GUARD_BITS):
         start = arb(base) * arb((1, -fraction_bits))
         if not (operation in ("sin", "cos", "exp") or start > 0):

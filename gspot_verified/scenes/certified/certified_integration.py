@@ -325,9 +325,9 @@ class _ImpactObserver:
             return True
         if self._region is None or (self._known is not None and not limited):
             return False
-        growth = self._region.growth(states)
+        growth = self._region.growth(states, limited=not limited)
         time = self._began + segment.end_time
-        if growth is None or (limited and growth.until is not None):
+        if growth is None:
             return False
         shown = every([less(0, growth.rate), at_most(time, self._end)])
         if shown is None:

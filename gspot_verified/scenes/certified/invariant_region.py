@@ -47,8 +47,11 @@ class InvariantRegion:
     def __init__(self, system: ScaledSystem) -> None:
         self._form = ContactForm(system)
 
-    def growth(self, state: Mapping[str, arb]) -> ExponentialGrowth | None:
-        """What is certain of all states in the ball; None: nothing was shown."""
+    def growth(self, state: Mapping[str, arb], limited: bool = True) -> ExponentialGrowth | None:
+        """What is certain of all states in the ball; None: nothing was shown.
+
+        ``limited``: growth to a multiple of the force is asked for, too, where no other is certain.
+        """
         form = self._form
         box = [state[name] for name in form.names]
         force = form.k * (state["Z"] - state["Y"])
@@ -69,7 +72,7 @@ class InvariantRegion:
                 within = self._until_stop(cone, box, bounds, i)
                 if within is not None:
                     return ExponentialGrowth(cone.rate, None, within)
-        for cone in kept_cones:
+        for cone in kept_cones if limited else ():
             times = self._most_times(cone, box)
             if times is not None:
                 return ExponentialGrowth(cone.rate, times)

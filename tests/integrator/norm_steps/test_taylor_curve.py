@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -38,6 +40,29 @@ def test_a_step_follows_the_solution(bits: int, rate: fmpq) -> None:
         for tau in (arb(0.5), arb(1)):
             for p, value in zip(polynomials, ((tau * angle).cos(), -(tau * angle).sin()), strict=True):
                 assert abs(p(tau) - value) < arb(2) ** (52 - bits)
+
+
+def test_coefficients_are_made_once_where_lengths_grow_slowly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """p' = -p u, u' = -u: each step is up to a third longer than the one before, as a motion comes to rest."""
+    with working_bits(192):
+        curve = TaylorCurve(VectorField([-(x * y), -y]))
+        made, lengths, state = 0, list[float](), [arb(1), arb(1)]
+        coefficients = curve._recurrence.coefficients
+
+        def counted(*given: Any) -> Any:
+            nonlocal made
+            made += 1
+            return coefficients(*given)
+
+        for _ in range(4):
+            curve.advance(state, None, 0)
+        monkeypatch.setattr(curve._recurrence, "coefficients", counted)
+        for _ in range(8):
+            h, polynomials = curve.advance(state, None, 0)
+            state = [p(arb(1)).mid() for p in polynomials]
+            lengths.append(float(h.mid()))
+    assert all(before < after < 4 * before / 3 for before, after in pairwise(lengths[1:]))
+    assert made == len(lengths)
 
 
 def test_the_terms_of_a_step_are_not_much_larger_than_the_state() -> None:

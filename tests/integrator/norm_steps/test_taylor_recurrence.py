@@ -18,7 +18,7 @@ from gspot_verified.functions.expressions import (
 from gspot_verified.integrator.box_steps.approximation import taylor
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.field.no_series import NoSeriesError
-from gspot_verified.integrator.norm_steps.taylor_recurrence import TaylorRecurrence, fixed
+from gspot_verified.integrator.norm_steps.taylor_recurrence import TaylorRecurrence, _squared, fixed
 from gspot_verified.numbers.balls import working_bits
 
 x, y = Variable(0), Variable(1)
@@ -30,6 +30,8 @@ FIELDS: list[list[Expression]] = [
     [x * x * y - Constant(fmpq(7, 3)) * x, -(x * y) + Power(x, fmpq(-2))],
     [Constant(fmpq(1)), Constant(fmpq(1, 3)) * y + x],
     [Sine(THIRD) * x + Exponential(THIRD), Cosine(THIRD) + Logarithm(THIRD) * y],
+    [Power(x + Constant(fmpq(1)), fmpq(2)), Sine(y) * Cosine(y) + Power(x, fmpq(2)) * Sine(x * y)],
+    [Constant(fmpq(1, 7)), Power(x, fmpq(2)) + Power(Power(x, fmpq(2)), fmpq(2)) - x * Power(x, fmpq(2))],
     [Power(THIRD, fmpq(1, 2)) * y, Power(THIRD, fmpq(5, 3)) * x + Power(THIRD, fmpq(-1)) + Power(THIRD, fmpq(2))],
 ]
 
@@ -48,6 +50,14 @@ def test_against_newtons_method(functions: list[Expression], step: fmpq) -> None
                 value = arb(integer) * arb((1, -BITS))
                 assert value.is_finite()
                 assert abs(value - row[k] * arb(step) ** k) < arb(2) ** (50 - BITS)
+
+
+@pytest.mark.parametrize("length", range(1, 8))
+def test_a_square_is_a_product_of_equal_factors(length: int) -> None:
+    """Each coefficient, whichever the last one is that does not vanish."""
+    row = [3, -7, 11, 2**40 + 1, 5, -1, 9][:length] + [0] * (7 - length)
+    for k in range(7):
+        assert _squared(row[: k + 1], min(length - 1, k), k) == sum(row[j] * row[k - j] for j in range(k + 1))
 
 
 @pytest.mark.parametrize("function", [Logarithm(x), Power(x, fmpq(1, 3)), Power(x, fmpq(1, 2)), Power(x, fmpq(-1))])

@@ -78,6 +78,8 @@ def test_the_force_grows_as_stated(scene: Scene) -> None:
     with working_bits(128):
         found = certain(InvariantRegion(system).growth(deep(scene)))
         assert (found.until is None) is (scene.values().get("chi", 0) == 0)
+        lasting = InvariantRegion(system).growth(deep(scene), limited=False)
+        assert lasting is None if found.until is not None else lasting == found
         phase = CertifiedPhase(system)
         start = deep(scene)
         run = NormRun(phase.field, [start[name] for name in phase.names], arb(40))
