@@ -1,6 +1,6 @@
 """From an initial state of slip to what happens: a G-spot and its side, lift-off, or stick.
 
-Proof pages: ``proofs/approach.md``, ``proofs/validated_step.md``. Paper, Secs. 1.2, 4.5, 5.4.
+Proof pages: ``proofs/approach.md``, ``proofs/norm_step.md``, ``proofs/validated_step.md``. Paper, Secs. 1.2, 4.5, 5.4.
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ from flint import arb, fmpq
 
 from gspot_verified.functions.expressions import Constant
 from gspot_verified.functions.rings import BALLS
-from gspot_verified.integrator.box_steps.integrate import Run, Segment
 from gspot_verified.integrator.field.event import Crossing, Moment, Unclear, Watch, first_crossing
+from gspot_verified.integrator.norm_steps.chosen_step import Steps
+from gspot_verified.integrator.norm_steps.norm_run import NormRun, NormSegment
 from gspot_verified.mechanisms.approach.approach_plan import exponent_for, last_exponent_for
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
 from gspot_verified.mechanisms.approach.capture import Capture, capture
@@ -28,12 +29,15 @@ from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import case_of, sides_of
 from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
 from gspot_verified.numbers.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
-from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
 MAX_STEPS = 600  # validated steps: a limit against endless work
 _PRECISIONS = (160, 400)  # bits, tried in turn: any is correct, more keep the last balls narrow
+_SPARE_BITS = 48  # more, which the polynomials of long steps leave to rounding errors
 _SAMPLES = 4  # parts of a step that are checked, and points of it that are kept for pictures
+_PARTS = tuple(arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
+_FEWEST_BITS = 36  # of p: with fewer a run towards a G-spot ends, and what was seen before counts
 _DISC_BITS = 9  # the disc of Theorem A3 (proofs/approach.md) has at least the radius 2^-9
 _FEWEST_TERMS = 4  # of the distinguished trajectory's polynomial in p: any number is correct
 _TOO_CLOSE = "lift-off and stick happen too close together to tell which comes first"
@@ -68,11 +72,28 @@ def approach(
     >>> result.end, result.side, result.coefficient < 0
     ('G-spot', 'lift-off', True)
     """
-    shifted = shift(at_spot(mechanism, spot))
+    return followed(
+        shift(at_spot(mechanism, spot)),
+        state,
+        surface_velocity=surface_velocity,
+        max_steps=max_steps,
+        beside_place=spot is not None,
+    )
+
+
+def followed(
+    shifted: Shifted,
+    state: StateInput,
+    *,
+    surface_velocity: ExactInput | None = None,
+    max_steps: int = MAX_STEPS,
+    beside_place: bool = False,
+) -> Approach:
+    """The same for a mechanism whose functions are derived; ``beside_place``: what is left out is as at its place."""
     velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
     for bits in _PRECISIONS:
-        with working_bits(bits):
-            outcome = _Attempt(shifted, state, velocity, bits, max_steps, spot is not None).result()
+        with working_bits(bits + _SPARE_BITS):
+            outcome = _Attempt(shifted, state, velocity, bits, max_steps, beside_place).result()
         known = outcome.coefficient is not None and sign_of(outcome.coefficient) in (1, -1)
         if outcome.exit_code == 0 or known:  # more bits would not say more
             return outcome
@@ -138,7 +159,7 @@ class _Attempt:
     def result(self) -> Approach:
         """The run, until something is proved or the budget ends."""
         field = self.flow.desingularised()
-        run = Run(field, [*self.start.box, arb(0)], max_steps=self.max_steps)
+        run = NormRun(field, [*self.start.box, arb(0)], steps=Steps(self.max_steps), slow=False)
         watches = [Watch("lift-off", self.flow.b, field)]
         if self.surface is not None:
             watches.append(Watch("stick", Constant(self.surface) - self.flow.u, field))
@@ -154,7 +175,10 @@ class _Attempt:
                     return self._event(watches, events, segment)
                 quiet = every(watch.excluded(Moment(segment, arb(1))) for watch in watches)
             self._remember(segment)
-            states = segment.after.enclosure()
+            states = run.set.enclosure()
+            if caught is not None and not self._tells(states):
+                marked = marked or caught
+                break
             neighbourhood = capture(self.numbers, states, self.surface)
             if neighbourhood is None:
                 loose = capture(self.numbers, states, None)
@@ -181,29 +205,34 @@ class _Attempt:
             return self._at_spot(marked, caught)
         return self._open(run.reason or "no end")
 
-    def _doubt(self, segment: Segment) -> str | None:
+    def _doubt(self, segment: NormSegment) -> str | None:
         """A hypothesis on the mechanism that is not certain on some part of the segment."""
-        self.shown.append(segment.step.evidence)
-        for k in range(_SAMPLES):
-            checked = self.hypotheses.checked(segment.states(arb((2 * k + 1, -3), (1, -3))))  # [k/4, (k + 1)/4]
+        self.shown.append(less(0, segment.step.h))
+        for part in _PARTS:
+            checked = self.hypotheses.checked(segment.states(part))
             if isinstance(checked, str):
                 return checked
             self.shown.append(checked)
         return None
 
-    def _remember(self, segment: Segment) -> None:
+    def _remember(self, segment: NormSegment) -> None:
         first = [arb(0)] if not self.rows else []
         for tau in [*first, *(arb(k) / _SAMPLES for k in range(1, _SAMPLES + 1))]:
             states = segment.states(tau)
             self.rows.append((states[-1], tuple(states[:-1])))
-        self._note_slip(segment)
+        self._note_slip(segment, arb(1))
 
-    def _note_slip(self, segment: Segment) -> None:
-        slip = self.numbers.on(segment.states(arb((1, -1), (1, -1)))).u
-        self.least_slip = slip.lower() if self.least_slip is None else self.least_slip.min(slip.lower())
+    def _note_slip(self, segment: NormSegment, end: arb) -> None:
+        for part in _PARTS:
+            slip = self.numbers.on(segment.states(part * end)).u.lower()
+            self.least_slip = slip if self.least_slip is None else self.least_slip.min(slip)
 
     def _near(self, states: list[arb], exponent: float) -> bool:
         return bool(self.numbers.on(states).p < arb(2) ** -round(exponent))
+
+    def _tells(self, states: list[arb]) -> bool:
+        """Whether p is far enough from 0 for its errors to be small."""
+        return self.numbers.on(states).p.rel_accuracy_bits() >= _FEWEST_BITS
 
     def _at_spot(self, marked: _Caught, last: _Caught) -> Approach:
         place = self._spot(last.capture)
@@ -272,7 +301,7 @@ class _Attempt:
             return LIFT_OFF, f"Case {case}, {word}"
         return (IMPACT, f"Case {case}, {word}") if sign == impact else (None, f"Case {case}, {word}")
 
-    def _event(self, watches: list[Watch], events: list[Crossing | Unclear | None], segment: Segment) -> Approach:
+    def _event(self, watches: list[Watch], events: list[Crossing | Unclear | None], segment: NormSegment) -> Approach:
         first = first_crossing(watches, events)
         if first is None:
             unclear = next((each for each in events if isinstance(each, Unclear)), None)
@@ -280,7 +309,7 @@ class _Attempt:
                 return self._open(_TOO_CLOSE)
             return self._open(f"{unclear.name} may be grazing: it is not certain whether it happens")
         event, evidence = first
-        self._note_slip(segment)
+        self._note_slip(segment, event.end.tau)
         if self.surface is not None:  # until the event u is above it, whatever follows on the segment
             self.least_slip = None if self.least_slip is None else self.least_slip.max(self.surface.lower())
         what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}

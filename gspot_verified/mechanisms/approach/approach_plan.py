@@ -10,8 +10,8 @@ def exponent_for(neighbourhood: Capture, bits: int) -> float:
     """How many bits p is to lose before C_1 is read off."""
     beta = approximate(neighbourhood.numbers.alpha_3) / approximate(neighbourhood.numbers.alpha_1)
     if beta <= 1:
-        return min(bits - 50.0, 45 / max(min(beta, 1 - beta), 0.01))
-    return max(6.0, min(40.0, (bits - 80) / beta))
+        return min(bits - 35.0, 48 / max(min(beta, 1 - beta), 0.01))
+    return max(6.0, min(46.0, (bits - 64) / beta))
 
 
 def last_exponent_for(neighbourhood: Capture, exponent: float, bits: int, dimension: int) -> float:

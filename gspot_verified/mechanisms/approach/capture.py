@@ -16,6 +16,7 @@ from gspot_verified.numbers.balls import add_remainder, current_bits
 from gspot_verified.numbers.evidence import every, in_interior, less
 from gspot_verified.numbers.verdict import Evidence
 
+_ROOM = arb((1, -20))  # of a radius, which has few bits: without it what hardly moves would not be seen to stay
 _INFLATIONS = 4  # tries to inflate a box until nothing leaves it: any number is correct
 
 
@@ -63,7 +64,7 @@ def capture(numbers: NumbersOnBoxes, states: Sequence[arb], least_slip: arb | No
             return None
         # A component that does not move here may move in the neighbourhood: inflate until nothing leaves it.
         box = tuple(
-            add_remainder(side, 2 * far + rounding * (1 + abs(side)))
+            add_remainder(side, 2 * far + rounding * (1 + abs(side)) + side.rad() * _ROOM)
             for side, far in zip(states, bounds[0], strict=False)
         )
         inside = numbers.on(box)

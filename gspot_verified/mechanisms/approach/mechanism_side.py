@@ -15,11 +15,11 @@ from flint import arb, arb_mat
 from gspot_verified.expansion.from_state.affine_side import AffineSide
 from gspot_verified.expansion.from_state.limit_side import OTHER, rule_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
-from gspot_verified.mechanisms.approach.approach import MAX_STEPS, approach
+from gspot_verified.mechanisms.approach.approach import MAX_STEPS, followed
 from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.approach.slip_state import StateInput
-from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.spot_conditions import components_of
@@ -93,11 +93,13 @@ def mechanism_side(
     >>> found.side, found.verdict.outcome.value, found.active
     ('lift-off', 'proved', ('y', 'v', 'p', 'b'))
     """
-    found = approach(mechanism, start, surface_velocity=surface_velocity, max_steps=max_steps, spot=spot)
-    chosen = at_spot(mechanism, spot)
-    whole = _statement(chosen, found)
+    shifted = shift(at_spot(mechanism, spot))
+    found = followed(
+        shifted, start, surface_velocity=surface_velocity, max_steps=max_steps, beside_place=spot is not None
+    )
+    whole = _statement(shifted.mechanism, found)
     with working_bits(found.bits):
-        names, outcome = _outcome(chosen, found)
+        names, outcome = _outcome(shifted, found)
     if isinstance(outcome, _Open):
         verdict = Verdict.undecided(f"{whole} lift-off or impact", outcome.reason, outcome.why)
         return MechanismSide(found, names, None, verdict)
@@ -141,8 +143,9 @@ def _statement(mechanism: Mechanism, found: Approach) -> str:
     )
 
 
-def _outcome(mechanism: Mechanism, found: Approach) -> tuple[tuple[str, ...], tuple[str, Evidence] | _Open]:
+def _outcome(shifted: Shifted, found: Approach) -> tuple[tuple[str, ...], tuple[str, Evidence] | _Open]:
     """The active components, and the side with what was compared."""
+    mechanism = shifted.mechanism
     if found.verdict.evidence is None or found.end is None:
         return (), _Open(found.verdict.reason or Reason.HYPOTHESIS, found.verdict.detail)
     if found.end != "G-spot" or found.alphas is None or found.beta is None:
@@ -154,7 +157,7 @@ def _outcome(mechanism: Mechanism, found: Approach) -> tuple[tuple[str, ...], tu
         return (), _Open(Reason.HYPOTHESIS, found.side_reason)
     if not mechanism.regularisation.c > 0:
         return (), _Open(Reason.BEYOND, "the contact has no damper (c = 0): nothing is damped")
-    flow = SlipFlow.of(shift(mechanism))
+    flow = SlipFlow.of(shifted)
     active = active_components(flow)
     names = tuple(mechanism.state[i] for i in active)
     regular = independent(SlipNumbers(flow), active, found.spot)

@@ -178,7 +178,7 @@ def test_the_hypotheses_are_asked_for_on_every_part_of_a_segment(place: fmpq) ->
             return "here" if box[0].contains(place) else SHOWN
 
     class Segment:
-        step = SimpleNamespace(evidence=SHOWN)
+        step = SimpleNamespace(h=arb(1))
 
         def states(self, tau: arb) -> list[arb]:
             return [tau]

@@ -17,7 +17,7 @@ from gspot_verified.mechanisms.approach.capture import Capture, _keeps_pressing,
 from gspot_verified.mechanisms.approach.slip_flow import Numbers, SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.shipped import shipped_mechanism
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import add_remainder, working_bits
 
 
 def caught(alphas: tuple[str, str, str], p: str, b: str, u: str = "5", surface: arb | None = None) -> Capture | None:
@@ -40,6 +40,17 @@ def test_what_is_captured_arrives_in_the_box() -> None:
         assert found.box[4].contains(0)
         assert found.box[5].contains(0)
         assert found.time >= p.mid() * arb("0.999")
+
+
+def test_a_motion_that_is_small_beside_the_radius_of_a_ball_is_captured() -> None:
+    """A radius has few bits: v = 0 within 10^-30, and y moves by 10^-50 while p falls from 10^-20."""
+    with working_bits(192):
+        numbers = SlipNumbers(SlipFlow.of(shift(shipped_mechanism("model system"))))
+        small = arb(0, "1e-30")
+        found = capture(numbers, [arb(0), arb(5), small, small, arb("1e-20"), arb("-3e-20")], arb(0))
+        assert found is not None
+        assert all(side.is_finite() for side in found.box)
+        assert found.box[2].contains_interior(add_remainder(small, arb("9e-51")))
 
 
 @pytest.mark.parametrize(

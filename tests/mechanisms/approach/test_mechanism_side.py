@@ -67,7 +67,7 @@ def of_model() -> Approach:
 def with_approach(monkeypatch: pytest.MonkeyPatch, **changes: Any) -> MechanismSide:
     """The side where rigid slip was found to go another way."""
     found = replace(of_model(), **changes)
-    monkeypatch.setattr(module, "approach", lambda *_, **__: found)
+    monkeypatch.setattr(module, "followed", lambda *_, **__: found)
     return mechanism_side(MODEL, START)
 
 
@@ -151,7 +151,7 @@ def test_slip_whose_end_is_open_leaves_it_undecided() -> None:
 
 
 def test_a_contact_without_damper_is_beyond_the_theorem(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "approach", lambda *_, **__: of_model())
+    monkeypatch.setattr(module, "followed", lambda *_, **__: of_model())
     undamped = replace(MODEL, regularisation=Regularisation.of(1, 1, 0))
     undecided(mechanism_side(undamped, START), Reason.BEYOND, "no damper")
 

@@ -87,8 +87,8 @@ def test_a_row_that_is_wrong_is_refused_alone(values: dict[str, str], reason: st
 
 def test_what_is_open_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """A path that is not followed to its end."""
-    real = sides.approach
-    monkeypatch.setattr(sides, "approach", lambda *a, **k: real(*a, **{**k, "max_steps": 1}))
+    real = sides.followed
+    monkeypatch.setattr(sides, "followed", lambda *a, **k: real(*a, **{**k, "max_steps": 1}))
     (row,) = approach_table(MODEL, STATES[:1], FIXED)
     assert (row.outcome, row.end, row.side, row.small_epsilon_side) == ("undecided", None, None, None)
     assert row.reason
