@@ -72,14 +72,15 @@ class TaylorCurve:
         h = arb(length)
         if left is not None and not 2 * h < left:
             h = arb(rounded(approximate(left) / 2)) if h < left else left
-        ratio = fixed((h / guess).mid(), bits)
-        powers = [1 << bits]
+        wide = bits + _GUARD_BITS  # the coefficient k has k times the error of the ratio
+        ratio = fixed((h / guess).mid(), wide)
+        powers = [1 << wide]
         for _ in range(self.order):
-            powers.append((powers[-1] * ratio) >> bits)
+            powers.append((powers[-1] * ratio) >> wide)
         self._guess = length
         unit = arb((1, -bits))
         return h, [
-            arb_poly(fmpz_poly([x, *((a * b) >> bits for a, b in zip(row[1:], powers[1:], strict=True))])) * unit
+            arb_poly(fmpz_poly([x, *((a * b) >> wide for a, b in zip(row[1:], powers[1:], strict=True))])) * unit
             for x, row in zip(start, table, strict=True)
         ]
 
