@@ -1,4 +1,4 @@
-"""From a state near a G-spot to lift-off or impact, for every epsilon up to epsilon_0: the alphas affine in p and b.
+"""From a state near a G-spot to lift-off or impact, for every epsilon up to epsilon_0: alphas that depend on p and b.
 
 Proof page: ``proofs/from_state.md``, the theorem of section 8.
 """
@@ -14,8 +14,8 @@ from typing import ClassVar
 from flint import fmpq
 
 from gspot_verified.expansion.from_state.affine_hand_over import affine_hand_over
-from gspot_verified.expansion.from_state.affine_system import AffineSystem
-from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, affine_tube
+from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
+from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, Sums, affine_tube
 from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan, affine_plans, reach_for
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth
 from gspot_verified.expansion.from_state.hand_over import HandOver
@@ -37,13 +37,14 @@ from gspot_verified.numbers.written import Written
 _ORDER = 10  # of the expansion
 _RATIOS = (fmpq(21, 20), fmpq(6, 5), fmpq(2))  # nu: how far C_1 may move on the way; any number above 1 is right
 _WEIGHT = 8  # J: up to which powers of r the slow manifold is right; any is allowed
+_FINER = 8  # from level to level of the delta for which residuals are bounded
 _LEAST_ORDER = 1  # of a slow manifold: L_0 is the same with each
 _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 
 
 @dataclass(frozen=True)
 class AffineSide(NoTruthValue, Written):
-    """What becomes of all starts in a stated set, for every epsilon in (0, ``epsilon``] at once; affine alpha_i.
+    """What becomes of all starts in a stated set, for every epsilon in (0, ``epsilon``] at once; alpha_i of p, b.
 
     ``side``: "lift-off" (lambda_N > 0 until p < 0, later it reaches 0), "impact" (lambda_N > 0 until p < 0, and after
     that until it exceeds a stated force), or None: undecided, and ``verdict.detail`` says which inequality is not
@@ -96,10 +97,12 @@ def _manifold(system: AffineSystem, order: int) -> SlowManifold:
 def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     system = start.manifold.system
     trajectory = expand_system(system.system(), max(_ORDER, 2 * int(system.beta.p // system.beta.q) + 8))
-    residuals, prepared = Residuals(trajectory, LARGEST_DELTA), list(_prepared(start))
+    residuals, prepared = dict[fmpq, Residuals](), list(_prepared(start))
 
     def follow(least: fmpq, most: fmpq) -> SideEnd | str:
-        return _followed(start, prepared, DeviationEquations(trajectory, most, least, residuals), factor)
+        level = _level(system, most)
+        shared = residuals.setdefault(level, Residuals(trajectory, level))
+        return _followed(start, prepared, DeviationEquations(trajectory, most, least, shared), factor)
 
     ends, failed = in_ranges(follow, LARGEST_DELTA)
     delta = ends[-1].most if ends else smallest(LARGEST_DELTA)
@@ -118,6 +121,15 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
         after = f"after that it stays so until it exceeds {factor * system.mean_force}; p < 0 there"
         side, statement = "impact", f"{before}; {after}"
     return AffineSide(start, epsilon, side, Verdict.proved(statement, shown))
+
+
+def _level(system: AffineSystem, most: fmpq) -> fmpq:
+    """The delta whose residuals serve a range up to ``most``: one for all ranges, where no power series ends."""
+    level = LARGEST_DELTA
+    if not all(isinstance(one, Affine) for one in (system.alpha_1, system.alpha_2, system.alpha_3)):
+        while level / _FINER >= most:
+            level /= _FINER
+    return level
 
 
 @dataclass(frozen=True)
@@ -172,9 +184,10 @@ def _followed(
 
 def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
     found: AffineTube | str = "no z_max was tried"
+    known: dict[fmpq, Sums] = {}
     likely = [largest for largest in LARGEST if largest > 3 * start.within]
     for ratio, largest in product(_RATIOS, likely):
-        found = affine_tube(one.start, one.norm, one.growth, one.rectangle, e, largest, ratio)
+        found = affine_tube(one.start, one.norm, one.growth, one.rectangle, e, largest, ratio, known)
         if isinstance(found, AffineTube):
             return found
     return found

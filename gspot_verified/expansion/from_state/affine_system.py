@@ -1,4 +1,4 @@
-"""Systems whose alpha_1, alpha_2, alpha_3 are affine functions of p and b: the numbers of their G-spot.
+"""Systems whose alpha_1, alpha_2, alpha_3 are functions of p and b, affine or analytic: the numbers of their G-spot.
 
 Proof page: ``proofs/from_state.md``, section 8. Exact rationals; the state is (p, b, y, v).
 """
@@ -7,8 +7,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from flint import fmpq, fmpq_mpoly
+from flint import arb, fmpq, fmpq_mpoly
 
+from gspot_verified.expansion.from_state.analytic import Analytic
+from gspot_verified.expansion.from_state.barrier import Monomials
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.series.system import System
 from gspot_verified.functions.expressions import Constant, Expression, Variable
@@ -33,6 +35,11 @@ class Affine:
         """The function of the state (p, b, y, v)."""
         return Constant(self.value) + Constant(self.by_p) * Variable(0) + Constant(self.by_b) * Variable(1)
 
+    def rest(self, p: fmpq, force: arb) -> Monomials:
+        """Nothing: it is a polynomial."""
+        del p, force
+        return {}
+
     @property
     def text(self) -> str:
         """The formula; exact."""
@@ -40,16 +47,19 @@ class Affine:
         return " + ".join(parts)
 
 
+Alpha = Affine | Analytic
+
+
 @dataclass(frozen=True)
 class AffineSystem:
-    """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with affine alpha_i; the letters are those of the page.
+    """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with alpha_i of p and b; the letters are those of the page.
 
     :raises ValueError: alpha_1, alpha_2 are not negative at p = b = 0, beta is at most 1 or an integer.
     """
 
-    alpha_1: Affine
-    alpha_2: Affine
-    alpha_3: Affine
+    alpha_1: Alpha
+    alpha_2: Alpha
+    alpha_3: Alpha
     regularisation: Regularisation
 
     def __post_init__(self) -> None:

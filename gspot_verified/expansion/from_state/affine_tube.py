@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from flint import arb, fmpq, fmpq_mpoly
 
+from gspot_verified.expansion.from_state.analytic import NoTaylorError
 from gspot_verified.expansion.from_state.barrier import (
     Exponents,
     Monomials,
@@ -18,15 +20,18 @@ from gspot_verified.expansion.from_state.barrier import (
     layer,
     layer_integral,
     paid,
+    times,
     value_of,
 )
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
 from gspot_verified.expansion.from_state.slow_manifold import (
+    RING,
     H,
     L,
     R,
     SlowManifold,
     excess_terms,
+    level,
     still,
     still_terms,
 )
@@ -125,8 +130,11 @@ def affine_tube(
     e: fmpq,
     largest: fmpq,
     ratio: fmpq,
+    known: dict[fmpq, Sums] | None = None,
 ) -> AffineTube | str:
     """Theorem B' with z_max = ``largest`` and nu = ``ratio``, or the inequality that fails.
+
+    ``known`` keeps, by nu, the sums that are the same for each z_max; all else must be the same in every call with it.
 
     :raises ValueError: p_1 is not at most the rectangle's r^2, e not positive, or the norm is for another manifold.
     """
@@ -144,21 +152,27 @@ def affine_tube(
     if less(0, first) is None:
         return "the excess at the start is not certainly of one sign"
     excess = ExcessBounds(manifold.mu, (first * ratio).upper(), (first / ratio).lower())
-    sums = _Sums(norm, manifold, shares, excess, _Path(rectangle, given.p, e))
+    known = {} if known is None else known
+    if ratio not in known:
+        try:
+            known[ratio] = Sums(norm, manifold, shares, excess, _Path(rectangle, given.p, e), given.p)
+        except NoTaylorError as error:
+            return f"an alpha is not certainly analytic up to p = {given.p}: {error}"
+    sums = known[ratio]
     slow, below = sums.path.integral(sums.drift), 1 - sums.fall
     if less(0, below) is None:
         return f"p does not certainly fall up to p = {given.p}"
     if less(slow, ball(ratio).log()) is None:
         return f"log C_1 moves by {_shown(slow)} on the slow manifold, not certainly less than log {ratio}"
     rate, damping = sums.rate(ball(growth.rate), ball(largest)), (growth.damping / (1 + sums.fall)).lower()
-    barrier = paid(sums.source(), rate, damping)
+    barrier = paid(sums.source, rate, damping)
     if isinstance(barrier, str):
         return barrier
     side = 1 if given.excess > 0 else -1
     start = Start(given.p, e, given.size(e), side, abs(given.excess) / given.manifold.system.mean_force)
     highest, last = sums.path.largest(barrier), layer(start, ball(rectangle.h), rate, damping)
     fast = sums.path.integral(barrier) + layer_integral(start, rectangle, rate, damping)
-    drift = (sums.path.integral(sums.stray()) + sums.pushed * fast).upper()
+    drift = (sums.path.integral(sums.stray) + sums.pushed * fast).upper()
     tilted = sums.path.largest(excess.of(manifold.force + still(manifold.w) - manifold.system.mean_force))
     moved = sums.turned(-side) + ball(largest) * shares[1]
     conditions = {
@@ -212,6 +226,45 @@ def lengths(manifold: SlowManifold) -> tuple[arb, arb, arb]:
     return ball(contact.kappa).sqrt(), arb(1), ball(contact.rate) / ball(contact.lag).sqrt()
 
 
+class _Left:
+    """(18): sums of what the polynomials of the alphas leave, ``left`` over a, in all that holds an alpha."""
+
+    def __init__(self, manifold: SlowManifold, excess: ExcessBounds, left: list[Monomials], force: arb) -> None:
+        first, second, third = left
+        u, w, f = manifold.u, manifold.w, manifold.f
+        self._excess, self.fall, self.back = excess, first, third
+        driven = _sum(second, times(_sum(first, third), {(0, 0): force}))
+        self._slow = _sum(driven, times(first, excess.of(level(manifold.force))), times(third, excess.of(w)))
+        self.slow_over = self._over(self._slow, RING.constant(1))
+        self.feeding = (
+            times(third, excess.of(H * u.derivative(2))),
+            _sum(first, third, times(third, excess.of(w.derivative(2)))),
+            times(third, excess.of(R * f.derivative(2))),
+        )
+        self.residual = (
+            _sum(self._over(first, H * u, H * level(u)), self._over(self._slow, H * u.derivative(2))),
+            _sum(
+                self._over(driven, RING.constant(1)),
+                self._over(third, w),
+                self._over(first, level(w)),
+                self._over(self._slow, w.derivative(2)),
+            ),
+            _sum(self._over(first, R * f, R * level(f)), self._over(self._slow, R * f.derivative(2))),
+        )
+        self.drift = _sum(self.slow_over, times(first, excess.of(manifold.beta - 1 + manifold.drift)))
+
+    def _over(self, left: Monomials, *polynomials: fmpq_mpoly) -> Monomials:
+        """``left`` times the sizes of the polynomials over |L|."""
+        return _sum(*(times(left, self._excess.of(one, 1)) for one in polynomials))
+
+
+def _sum(*parts: Mapping[Exponents, arb]) -> Monomials:
+    total: Monomials = {}
+    for one in parts:
+        added(total, one, 1)
+    return total
+
+
 class _Path:
     """The curves h = e p^(-3/2) from p_1 to h = h_1, for all e up to one: largest values, integrals dp/p."""
 
@@ -248,8 +301,11 @@ class _Path:
         return total.upper()
 
 
-class _Sums:
-    """The sums of (15), (16): upper bounds on the way."""
+class Sums:
+    """The sums of (15), (16): upper bounds on the way.
+
+    :raises NoTaylorError: an alpha is not certainly analytic there.
+    """
 
     def __init__(
         self,
@@ -258,10 +314,16 @@ class _Sums:
         shares: tuple[arb, arb, arb],
         excess: ExcessBounds,
         path: _Path,
+        p: fmpq,
     ) -> None:
         self.path, self._norm, self._manifold, self._shares, self._excess = path, norm, manifold, shares, excess
-        self.fall = path.largest(excess.of(manifold.fall - 1))
-        self.back = path.largest(excess.of(manifold.back))
+        system = manifold.system
+        self.force = path.largest(excess.of(manifold.force + L))
+        alphas = system.alpha_1, system.alpha_2, system.alpha_3
+        left = [times(one.rest(p, self.force), {(0, 0): ball(1 / system.a)}) for one in alphas]
+        self._left = _Left(manifold, excess, left, self.force)
+        self.fall = path.largest(_sum(excess.of(manifold.fall - 1), self._left.fall))
+        self.back = path.largest(_sum(excess.of(manifold.back), self._left.back))
         self.drift = excess.of(manifold.drift)
         self._below = 1 - self.fall
 
@@ -269,38 +331,47 @@ class _Sums:
         """Gamma of (15)."""
         manifold = self._manifold
         steady = manifold.beta - 1
-        slow = self.path.largest(self._excess.of(manifold.slow - steady * L, 1, 1))
-        whole = growth + self._changed_matrix() + steady + slow + self.back * self._shares[1] * largest
+        whole = growth + self._changed_matrix + steady + self._slow + self.back * self._shares[1] * largest
         return (1 + (whole / self._below).max(whole / (1 + self.fall))).upper()
 
+    @cached_property
+    def _slow(self) -> arb:
+        """The part of (S - (beta - 1) L)/L above 0."""
+        rest = self._manifold.slow - (self._manifold.beta - 1) * L
+        return self.path.largest(_sum(self._excess.of(rest, 1, 1), self._left.slow_over))
+
+    @cached_property
     def _changed_matrix(self) -> arb:
-        """omega: what the terms with L add to the matrix and to M'."""
+        """omega: what the terms with L, and what the polynomials leave, add to the matrix and to M'."""
         manifold, (first, second, third), gram = self._manifold, self._shares, self._norm.matrix
         root, one, last = lengths(manifold)
         norm_change = arb(0)
         for entry, share in ((gram[0][1], first * second), (gram[1][2], second * third)):
             moved = change(entry) / (LEVEL_H * LEVEL_R)
             norm_change += share * self.path.largest({key: ball(abs(value)) for key, value in terms_of(moved).items()})
-        total = self._largest_with_excess(manifold.fall) * ((root * first + last * third) / 2 + norm_change)
-        for length, fed in zip((root, one, last), manifold.feeding, strict=True):
-            total += length * second * self._largest_with_excess(fed)
+        total = self._changed(manifold.fall, self._left.fall) * ((root * first + last * third) / 2 + norm_change)
+        for length, fed, left in zip((root, one, last), manifold.feeding, self._left.feeding, strict=True):
+            total += length * second * self._changed(fed, left)
         return total.upper()
 
-    def _largest_with_excess(self, polynomial: fmpq_mpoly) -> arb:
-        return self.path.largest(self._excess.of(polynomial - still(polynomial)))
+    def _changed(self, polynomial: fmpq_mpoly, left: Monomials) -> arb:
+        return self.path.largest(_sum(self._excess.of(polynomial - still(polynomial)), left))
 
+    @cached_property
     def source(self) -> Monomials:
         """F'."""
         total: Monomials = {}
-        for length, one in zip(lengths(self._manifold), self._manifold.residual, strict=True):
-            added(total, self._excess.of(one, 1), length / self._below)
+        manifold = self._manifold
+        for length, one, left in zip(lengths(manifold), manifold.residual, self._left.residual, strict=True):
+            added(total, _sum(self._excess.of(one, 1), left), length / self._below)
         return total
 
+    @cached_property
     def stray(self) -> Monomials:
         """The sum without z of (16)."""
         manifold, total = self._manifold, dict[Exponents, arb]()
         rest = manifold.slow - (manifold.beta - 1 + manifold.drift) * manifold.fall * L
-        added(total, self._excess.of(rest, 1), 1 / self._below)
+        added(total, _sum(self._excess.of(rest, 1), self._left.drift), 1 / self._below)
         return total
 
     @property

@@ -122,15 +122,15 @@ class _Rules:
         p, b = R * R, -R * R * (force + L)
         first, second, third = (one.at(p, b) / system.a for one in (system.alpha_1, system.alpha_2, system.alpha_3))
         driven = second + (first - third) * (force + L)
-        return cls(-first, -third, driven, driven - first * _level(force) - third * w)
+        return cls(-first, -third, driven, driven - first * level(force) - third * w)
 
     def along(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """d: the change over h r."""
-        return self.fall * _level(polynomial) - self.slow * polynomial.derivative(2)
+        return self.fall * level(polynomial) - self.slow * polynomial.derivative(2)
 
 
-def _level(polynomial: fmpq_mpoly) -> fmpq_mpoly:
-    """E = (3/2) h d/dh - (1/2) r d/dr."""
+def level(polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    """E F, E = (3/2) h d/dh - (1/2) r d/dr."""
     return fmpq(3, 2) * H * polynomial.derivative(0) - fmpq(1, 2) * R * polynomial.derivative(1)
 
 

@@ -3,7 +3,7 @@ place of the slow manifold, and each inequality on both sides of its edge."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import mpmath
@@ -20,7 +20,7 @@ from gspot_verified.expansion.from_state.affine_tube import (
     carried,
     power_of,
 )
-from gspot_verified.expansion.from_state.barrier import layer, layer_integral, paid
+from gspot_verified.expansion.from_state.barrier import Monomials, layer, layer_integral, paid
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
 from gspot_verified.expansion.from_state.slow_manifold import RING, SlowManifold
 from gspot_verified.expansion.series.regularisation import Regularisation
@@ -60,6 +60,33 @@ RESIDUAL: tuple[Triples, Triples, Triples] = (
 )
 
 
+Rests = tuple[fmpq, fmpq, fmpq]
+NONE = fmpq(0)
+NO_REST: Rests = (NONE, NONE, NONE)
+ONE: Triples = {(0, 0, 0): fmpq(1)}
+REST: Rests = (fmpq(30), fmpq(50), fmpq(20))
+
+
+@dataclass(frozen=True)
+class Bent(Affine):
+    """It leaves ``left`` r^8."""
+
+    left: fmpq = NONE
+    asked: list[Any] = field(default_factory=list, compare=False)
+
+    def rest(self, p: fmpq, force: arb) -> Monomials:
+        self.asked.append((p, force))
+        return {(0, 8): arb(self.left)} if self.left else {}
+
+
+def bent(rests: Rests) -> AffineSystem:
+    first, second, third = (
+        Bent(one.value, left=left)
+        for one, left in zip((SYSTEM.alpha_1, SYSTEM.alpha_2, SYSTEM.alpha_3), rests, strict=True)
+    )
+    return AffineSystem(first, second, third, SPRINGS)
+
+
 @pytest.fixture(autouse=True)
 def _digits() -> Any:
     with mpmath.workdps(50), working_bits(FINE):
@@ -72,7 +99,8 @@ def manifold(**changes: Any) -> SlowManifold:
         "force": FORCE, "u": U, "w": W, "f": F, "fall": FALL, "back": BACK, "slow": SLOW, "drift": DRIFT,
     } | changes  # fmt: skip
     residual = tuple(RING.from_dict(one) for one in terms.pop("residual", RESIDUAL))
-    return SlowManifold(SYSTEM, residual=residual, **{name: RING.from_dict(one) for name, one in terms.items()})
+    system = terms.pop("system", SYSTEM)
+    return SlowManifold(system, residual=residual, **{name: RING.from_dict(one) for name, one in terms.items()})
 
 
 def granted(rate: fmpq = GROWTH, damping: fmpq = DAMPING) -> Growth:
@@ -112,7 +140,13 @@ class Page:
     """The letters and sums of section 8 for one start."""
 
     def __init__(
-        self, excess: fmpq = EXCESS, e: fmpq = E, ratio: fmpq = RATIO, largest: fmpq = LARGEST, by_e: int = 0
+        self,
+        excess: fmpq = EXCESS,
+        e: fmpq = E,
+        ratio: fmpq = RATIO,
+        largest: fmpq = LARGEST,
+        by_e: int = 0,
+        rests: Rests = NO_REST,
     ) -> None:
         self.root, self.last = mpmath.sqrt(mpf(6) / 5), 10 / mpmath.sqrt(mpf(9) / 5)
         self.p, self.e, self.ratio, self.largest = number(P), number(e), number(ratio), number(largest)
@@ -124,8 +158,12 @@ class Page:
         d = 1 - m**2 / (mpf(6) / 5) - n**2 * mpf(9) / 5 / 100
         self.c_v, self.c_w, self.c_phi = (1 / mpmath.sqrt(x * d) for x in (mpf(6) / 5, 1, 100 / (mpf(9) / 5)))
         one = {key: c for key, c in FALL.items() if key != (0, 0, 0)}
-        self.pi = self.sup(self.over(one, 0))
-        self.back = self.sup(self.over(BACK, 0))
+        # (18): eta_1, eta_2, eta_3 over r^8
+        self.eta = tuple(number(left) * 4 / 3 for left in rests)
+        self.force = self.sup(self.over(plus(FORCE, {(0, 0, 1): fmpq(1)}), 0))
+        self.driven = self.eta[1] + (self.eta[0] + self.eta[2]) * self.force
+        self.pi = self.sup(self.over(one, 0)) + self.sup(self.left(self.eta[0]))
+        self.back = self.sup(self.over(BACK, 0)) + self.sup(self.left(self.eta[2]))
         self.below = 1 - self.pi
 
     def over(self, terms: Triples, power: int, sign: int = 0) -> Terms:
@@ -136,6 +174,20 @@ class Page:
             size = self.most ** (k - power) if k > power else self.least ** (k - power)
             key = fmpq(i), n + (k - power) * MU
             total[key] = total.get(key, mpf(0)) + abs(number(c)) * size
+        return total
+
+    def left(self, size: mpf, terms: Triples = ONE, power: int = 0) -> Terms:
+        """What is left times a polynomial, over L^power."""
+        return {(i, n + 8): size * value for (i, n), value in self.over(terms, power).items() if size}
+
+    def slow_left(self, *terms: Triples, power: int) -> Terms:
+        """eta_S = eta_rho + eta_1 E force + eta_3 w, times polynomials."""
+        total: Terms = {}
+        for one in terms:
+            for size, parts in ((self.driven, ONE), (self.eta[0], level(FORCE)), (self.eta[2], W)):
+                for (i, n), value in self.over(parts, 0).items():
+                    for (j, m), other in self.left(size, one, power).items():
+                        total[i + j, n + m] = total.get((i + j, n + m), mpf(0)) + value * other
         return total
 
     def ends(self, key: Any) -> tuple[mpf, mpf]:
@@ -169,12 +221,23 @@ class Page:
         )
         of_n = self.sup({(fmpq(0), fmpq(1)): mpf(1) / 2})
         own = (self.root * self.c_v + self.last * self.c_phi) / 2 + of_m * self.c_v * self.c_w
-        whole = self.sup(self.over(with_l, 0)) * (own + of_n * self.c_w * self.c_phi)
+        changed = self.sup(self.over(with_l, 0)) + self.sup(self.left(self.eta[0]))
+        whole = changed * (own + of_n * self.c_w * self.c_phi)
         by_l = [{(i, n, k - 1): c * k for (i, n, k), c in one.items() if k} for one in (U, W, F)]
         fed = [multiplied(BACK, one) for one in by_l]
         fed = [shifted(fed[0], 1, 0), plus(plus(BACK, FALL, -1), fed[1]), shifted(fed[2], 0, 1)]
         for length, one in zip((self.root, mpf(1), self.last), fed, strict=True):
             whole += length * self.c_w * self.sup(turning(one))
+        eta_1, _, eta_3 = self.eta
+        lefts = (
+            self.left(eta_3, shifted(by_l[0], 1, 0)),
+            self.left(eta_3, by_l[1]),
+            self.left(eta_3, shifted(by_l[2], 0, 1)),
+        )
+        for length, one in zip((self.root, mpf(1), self.last), lefts, strict=True):
+            whole += length * self.c_w * self.sup(one)
+        whole += self.c_w * (self.sup(self.left(eta_1)) + self.sup(self.left(eta_3)))
+        whole += self.sup(self.slow_left(ONE, power=1))
         slow = {key: c for key, c in SLOW.items() if key != (0, 0, 1)}
         whole += (
             number(growth) + number(BETA) - 1 + self.sup(self.over(slow, 1, 1)) + self.back * self.c_w * self.largest
@@ -186,13 +249,28 @@ class Page:
         for length, one in zip((self.root, mpf(1), self.last), RESIDUAL, strict=True):
             for key, c in self.over(one, 1).items():
                 total[key] = total.get(key, mpf(0)) + length * c / self.below
+        eta_1, _, eta_3 = self.eta
+        by_l = [{(i, n, k - 1): c * k for (i, n, k), c in terms.items() if k} for terms in (U, W, F)]
+        more = [
+            (self.root, 1, 0, eta_1, U), (self.root, 1, 0, eta_1, level(U)),
+            (mpf(1), 0, 0, self.driven, ONE), (mpf(1), 0, 0, eta_3, W),
+            (mpf(1), 0, 0, eta_1, level(W)), (self.last, 0, 1, eta_1, F),
+            (self.last, 0, 1, eta_1, level(F)),
+        ]  # fmt: skip
+        added = [(length, self.left(size, shifted(one, h, r), 1)) for length, h, r, size, one in more]
+        for length, h, r, one in ((self.root, 1, 0, by_l[0]), (mpf(1), 0, 0, by_l[1]), (self.last, 0, 1, by_l[2])):
+            added.append((length, self.slow_left(shifted(one, h, r), power=1)))
+        for length, terms in added:
+            for key, c in terms.items():
+                total[key] = total.get(key, mpf(0)) + length * c / self.below
         return total
 
     def drift(self, barrier: mpf, after: mpf) -> mpf:
         """The integral of (16), z's own integrals given."""
         kept = plus({(0, 0, 0): BETA - 1}, DRIFT)
         rest = plus(SLOW, shifted(multiplied(kept, FALL), 0, 0, 1), -1)
-        return (self.integral(self.over(rest, 1)) + self.back * self.c_w * (barrier + after)) / self.below
+        left = self.integral(self.slow_left(ONE, power=1)) + self.integral(self.left(self.eta[0], kept))
+        return (self.integral(self.over(rest, 1)) + left + self.back * self.c_w * (barrier + after)) / self.below
 
     def slow(self) -> mpf:
         return self.integral(self.over(DRIFT, 0))
@@ -228,6 +306,11 @@ def multiplied(first: Triples, second: Triples) -> Triples:
     return total
 
 
+def level(terms: Triples) -> Triples:
+    """E = (3/2) h d/dh - (1/2) r d/dr."""
+    return {(i, n, k): c * fmpq(3 * i - n, 2) for (i, n, k), c in terms.items() if 3 * i != n}
+
+
 def shifted(terms: Triples, h: int, r: int, excess: int = 0) -> Triples:
     return {(i + h, n + r, k + excess): c for (i, n, k), c in terms.items()}
 
@@ -246,10 +329,17 @@ def barrier_of(page: Page, rate: mpf, damping: mpf) -> Terms:
     return {key: in_mpmath(value) for key, value in by_monomial(wanted).items()}
 
 
-@pytest.mark.parametrize("excess", [fmpq(1, 3), fmpq(-1, 4)])
-def test_the_numbers_are_those_of_the_page(excess: fmpq) -> None:
-    given = start(excess)
-    page, one = Page(excess), good(given)
+@pytest.mark.parametrize(
+    ("excess", "rests"),
+    [
+        (fmpq(1, 3), NO_REST), (fmpq(-1, 4), NO_REST), (fmpq(1, 3), REST), (fmpq(-1, 4), REST),
+        (fmpq(1, 3), (fmpq(60), fmpq(0), fmpq(0))), (fmpq(1, 3), (fmpq(0), fmpq(90), fmpq(0))),
+        (fmpq(1, 3), (fmpq(0), fmpq(0), fmpq(60))),
+    ],
+)  # fmt: skip
+def test_the_numbers_are_those_of_the_page(excess: fmpq, rests: Rests) -> None:
+    given = start(excess) if rests is NO_REST else start(excess, system=bent(rests))
+    page, one = Page(excess, rests=rests), good(given)
     assert agrees(one.rate.upper(), page.rate())
     assert abs(in_mpmath(one.damping) - damping_of(page)) < mpf(10) ** -40
     assert agrees(one.start.z, page.at_start(mpf(1) / 100))
@@ -274,6 +364,18 @@ def test_the_numbers_are_those_of_the_page(excess: fmpq) -> None:
     assert last > steady / 1000
     assert abs(in_mpmath(one.bound(h, r)) - steady - last) < mpf(10) ** -30
     assert one.bound(h, r).is_exact()
+
+
+@pytest.mark.parametrize("excess", [fmpq(1, 3), fmpq(-1, 4)])
+def test_what_the_polynomials_leave_is_asked_for_the_whole_way(excess: fmpq) -> None:
+    """p up to p_1, |Lambda| up to the sum of the largest |reference| and |L|."""
+    system = bent(REST)
+    good(start(excess, system=system))
+    for one in (system.alpha_1, system.alpha_2, system.alpha_3):
+        assert isinstance(one, Bent)
+        ((p, force),) = one.asked
+        assert p == P
+        assert agrees(force, Page(excess, rests=REST).force)
 
 
 def test_the_excess_may_depend_on_epsilon() -> None:

@@ -24,6 +24,10 @@ from gspot_verified.expansion.from_state.slow_manifold import (
 )
 from gspot_verified.expansion.from_state.slow_series import slow_series, terms_of
 from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.expansion.series.terms import NumberTerms
+from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.power_series import SeriesOfFunctions
+from gspot_verified.functions.rings import RATIONALS
 from tests.expansion.from_state.test_affine_system import BENT, EXTENDED, STEEPER
 
 SYSTEMS = (EXTENDED, BENT, STEEPER)
@@ -31,6 +35,13 @@ SYSTEMS = (EXTENDED, BENT, STEEPER)
 
 def manifold_of(system: AffineSystem, order: int = 4, weight: int = 5) -> SlowManifold:
     return slow_manifold(system, Cut(order, fmpq(weight), 2 * system.beta - 2))
+
+
+def value_at(function: Expression, *state: fmpq) -> fmpq:
+    """A rational function of the state."""
+    series = SeriesOfFunctions([function], NumberTerms(RATIONALS), RATIONALS)
+    series.extend(list(state))
+    return fmpq(series[function][0])
 
 
 def at(polynomial: fmpq_mpoly, *place: fmpq) -> fmpq:
@@ -62,9 +73,7 @@ class Rates:
         b, force, epsilon = -p * rigid, rigid + along / p, self.h * self.r**3 / system.a
         height = (phi - force - contact.lag / contact.rate * speed) / contact.kappa
         assert along == b + p * force
-        self.alphas = [
-            one.value + one.by_p * p + one.by_b * b for one in (system.alpha_1, system.alpha_2, system.alpha_3)
-        ]
+        self.alphas = [value_at(one.expression, p, b) for one in (system.alpha_1, system.alpha_2, system.alpha_3)]
         self.p = epsilon * self.alphas[0]
         b_rate = epsilon * (self.alphas[1] - self.alphas[2] * force)
         z = height + force / springs.k_2

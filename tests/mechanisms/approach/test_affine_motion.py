@@ -6,13 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 from samples.model_texts import model_text
 
 from gspot_verified import load, mechanism_side
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.functions.expressions import Constant, Expression, Power, Sine, Variable
-from gspot_verified.mechanisms.approach.affine_motion import _polynomials, affine_system_of, with_explicit
+from gspot_verified.mechanisms.approach.affine_motion import _fractions, affine_system_of, with_explicit
 from gspot_verified.mechanisms.input.file import parse_mechanism
 
 TEXT = model_text(
@@ -50,11 +50,11 @@ def test_each_slope_is_found() -> None:
     ("old", "new"),
     [
         ('"alpha_1 + p/5 + b"', '"alpha_1 + x"'),
-        ('"alpha_1 + p/5 + b"', '"alpha_1 + p*b"'),
         ('"alpha_2 - p + 2*b"', '"alpha_2 + u"'),
         ("3*p", "y"),
         ("alpha_1 + p/5", "sin(x) + alpha_1 + p/5"),
-        ("alpha_1 + p/5", "alpha_1/(1 + p)"),
+        ("alpha_1 + p/5", "sin(p + x) + alpha_1 + p/5"),
+        ("alpha_1 + p/5", "alpha_1/(1 + u*p)"),
     ],
 )
 def test_alphas_of_another_kind_are_none(old: str, new: str) -> None:
@@ -97,8 +97,10 @@ def test_rational_functions_that_are_polynomials() -> None:
     x, y, one = Variable(0), Variable(1), Constant(fmpq(1))
 
     def found(*functions: Expression) -> list[str] | None:
-        polynomials = _polynomials(functions, 2)
-        return None if polynomials is None else [str(one) for one in polynomials]
+        fractions = _fractions(functions, 2)
+        if fractions is None or None in fractions.polynomials:
+            return None
+        return [str(one) for one in fractions.polynomials]
 
     minus = Constant(fmpq(-1))
     over = Power(one + y, fmpq(-1))
@@ -112,8 +114,10 @@ def test_rational_functions_that_are_polynomials() -> None:
     assert found(x * over) is None
     assert found(x, over) is None
     assert found(over, x) is None
-    assert found(Power(x, fmpq(1, 2))) is None
-    assert found(Sine(x)) is None
+    root = Power(x, fmpq(1, 2))
+    assert found(root, root * Sine(y) * Power(root, fmpq(-1)), Sine(x) * over) is None
+    assert found(root, root * Sine(y) * Power(root, fmpq(-1)), root + minus * root) == ["f0", "f1", "0"]
+    assert found(Constant(arb(2))) is None
     assert found(Power(x + minus * x, fmpq(-1))) is None
 
 

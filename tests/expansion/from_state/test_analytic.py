@@ -1,0 +1,129 @@
+"""Analytic alphas (proofs/from_state.md, section 8): their Taylor polynomials and what these leave, beside mpmath."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+
+import mpmath
+import pytest
+from flint import arb, fmpq
+from mpmath import mpf
+
+from gspot_verified.expansion.from_state.analytic import Analytic, NoTaylorError
+from gspot_verified.expansion.from_state.slow_manifold import RING, H, L, R
+from gspot_verified.functions.expressions import (
+    Constant,
+    Cosine,
+    Exponential,
+    Expression,
+    Logarithm,
+    Power,
+    Sine,
+    Variable,
+)
+from gspot_verified.numbers.balls import working_bits
+from tests.expansion.from_state.test_barrier_numbers import in_mpmath, number
+
+P, B = Variable(0), Variable(1)
+
+
+def rational(*value: int) -> Expression:
+    return Constant(fmpq(*value))
+
+
+ONE = rational(1)
+CASES: list[tuple[Expression, Callable[[mpf, mpf], mpf]]] = [
+    (Sine(P + rational(2) * B) - ONE, lambda p, b: mpmath.sin(p + 2 * b) - 1),
+    (Power(ONE + P - B, fmpq(-1)), lambda p, b: 1 / (1 + p - b)),
+    (Power(rational(4) + B, fmpq(1, 2)) * Cosine(P), lambda p, b: mpmath.sqrt(4 + b) * mpmath.cos(p)),
+    (Exponential(P * B) + Logarithm(ONE + B), lambda p, b: mpmath.exp(p * b) + mpmath.log(1 + b)),
+    (rational(3) * P * P * B - B * B + rational(1, 7), lambda p, b: 3 * p * p * b - b * b + mpf(1) / 7),
+]
+
+
+@pytest.mark.parametrize(("function", "value"), CASES)
+@pytest.mark.parametrize("order", [2, 3, 5])
+def test_the_polynomial_has_the_derivatives_of_the_function(
+    function: Expression, value: Callable[[mpf, mpf], mpf], order: int
+) -> None:
+    """Coefficients of p^j b^k by mpmath; none is left out below the order, none is added."""
+    with mpmath.workdps(60):
+        found = Analytic(function, order, "f").at(H, R).to_dict()
+        for j in range(order + 1):
+            for k in range(order + 1 - j):
+                wanted = mpmath.diff(value, (0, 0), (j, k)) / mpmath.factorial(j) / mpmath.factorial(k)
+                coefficient = number(fmpq(found.pop((j, k, 0), fmpq(0))))
+                assert abs(coefficient - (wanted if j + k < order else 0)) < mpf(10) ** -15
+        assert not found
+
+
+@pytest.mark.parametrize(("function", "value"), CASES)
+@pytest.mark.parametrize("order", [2, 4])
+@pytest.mark.parametrize("force", ["1/3", "5"])
+def test_what_is_left_is_within_the_bound(
+    function: Expression, value: Callable[[mpf, mpf], mpf], order: int, force: str
+) -> None:
+    """At random states with 0 <= p' <= p, |b| <= force p', and at the corners."""
+    draw, most, alpha = random.Random(2), fmpq(1, 30), Analytic(function, order, "f")
+    with mpmath.workdps(40), working_bits(128):
+        ((key, bound),) = alpha.rest(most, arb(fmpq(force))).items()
+        assert key == (0, 2 * order)
+        polynomial = alpha.at(H, R).to_dict()
+        for _ in range(200):
+            p = number(most) * draw.choice([mpf(1), mpf(draw.random())])
+            b = number(fmpq(force)) * p * draw.choice([mpf(1), mpf(-1), mpf(draw.uniform(-1, 1))])
+            part = sum((number(fmpq(c)) * p ** int(j) * b ** int(k) for (j, k, _), c in polynomial.items()), mpf(0))
+            assert abs(value(p, b) - part) <= in_mpmath(bound) * p**order * (1 + mpf(10) ** -30)
+
+
+def test_the_bound_is_attained() -> None:
+    """2 b^2 + p^2 with |b| <= 3 p leaves at most 19 p^2; 1/(1 - p) leaves p^2/(1 - p), the bound is 1/(1 - p_1)^3."""
+    square = Analytic(rational(2) * B * B + P * P, 2, "f").rest(fmpq(1, 9), arb(3))
+    assert abs(square[0, 4] - 19) < arb("1e-6")
+    tail = Analytic(Power(ONE - P, fmpq(-1)), 2, "f").rest(fmpq(1, 2), arb(3))
+    assert abs(tail[0, 4] - 8) < arb("1e-6")
+
+
+def test_a_polynomial_below_the_order_leaves_nothing() -> None:
+    bound = Analytic(rational(3) * P * P * B - B * B - ONE, 4, "f").rest(fmpq(1, 2), arb(7))
+    assert bound == {(0, 8): 0}
+
+
+def test_where_p_and_b_are_polynomials() -> None:
+    alpha = Analytic(Power(ONE - P, fmpq(-1)) + B * B * B, 3, "f")
+    assert alpha.at(R * R, H - L) == 1 + R**2 + R**4
+    cubic = Analytic(B * B * B - ONE, 4, "b^3 - 1")
+    assert cubic.at(R, H + 2) == (H + 2) ** 3 - RING.constant(1)
+    assert (cubic.value, cubic.expression, cubic.text) == (-1, cubic.function, "b^3 - 1")
+    assert alpha.value == 1
+
+
+@pytest.mark.parametrize("pole", [fmpq(1, 10), fmpq(-1, 10), fmpq(1, 7)])
+def test_a_box_that_may_hold_a_pole_is_refused(pole: fmpq) -> None:
+    """1/(pole - b) and log(pole - b), |b| <= 2 p, on both sides of the edge p = |pole|/2."""
+    inverse = Power(Constant(pole) - B, fmpq(-1))
+    scaled = Logarithm((Constant(abs(pole)) - B) * Power(Constant(abs(pole)), fmpq(-1)))
+    for function in (inverse, scaled):
+        alpha = Analytic(function, 3, "f")
+        with pytest.raises(NoTaylorError):
+            alpha.rest(abs(pole) / 2, arb(2))
+        assert alpha.rest(abs(pole) * fmpq(49, 100), arb(2))[0, 6].is_finite()
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        Exponential(ONE + P), Power(rational(2) + P, fmpq(1, 2)), Power(P, fmpq(-1)), Logarithm(P),
+        Power(B, fmpq(1, 2)), Sine(P + ONE),
+    ],
+)  # fmt: skip
+def test_without_rational_coefficients_it_is_refused(function: Expression) -> None:
+    with pytest.raises(ValueError, match=r"rational|vanish"):
+        Analytic(function, 3, "f")
+
+
+@pytest.mark.parametrize("order", [1, 0, -2])
+def test_an_order_below_two_is_refused(order: int) -> None:
+    with pytest.raises(ValueError, match="at least 2"):
+        Analytic(P - ONE, order, "f")
