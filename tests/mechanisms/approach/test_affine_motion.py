@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import mpmath
 import pytest
 from flint import arb, fmpq
 from samples.model_texts import model_text
 
 from gspot_verified import load, mechanism_side
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
+from gspot_verified.expansion.from_state.analytic import Analytic
+from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Constant, Expression, Power, Sine, Variable
 from gspot_verified.mechanisms.approach.affine_motion import _fractions, affine_system_of, with_explicit
 from gspot_verified.mechanisms.input.file import parse_mechanism
@@ -37,13 +41,15 @@ def test_each_slope_is_found() -> None:
     assert found[1].alpha_1 == Affine(fmpq(-1, 2), fmpq(1, 5), fmpq(1))
     assert found[1].alpha_2 == Affine(fmpq(-1), fmpq(-1), fmpq(2))
     assert found[1].alpha_3 == Affine(fmpq(-3, 4), fmpq(3))
-    turned = found_in(
-        ('"p", "b"]', '"b", "p"]'),
-        ('"alpha_1 + p/5 + b", "alpha_2 - p + 2*b"', '"alpha_2 - p + 2*b", "alpha_1 + p/5 + b"'),
-        ('0, "(alpha_3 + 3*p)/(2*(1 - p))"]', '"(alpha_3 + 3*p)/(2*(1 - p))", 0]'),
-        ('0, "-(alpha_3 + 3*p)/2"]', '"-(alpha_3 + 3*p)/2", 0]'),
-    )
+    turned = found_in(('"p", "b"]', '"b", "p"]'), *SWAPPED)
     assert turned == found
+
+
+SWAPPED = (
+    ('"alpha_1 + p/5 + b", "alpha_2 - p + 2*b"', '"alpha_2 - p + 2*b", "alpha_1 + p/5 + b"'),
+    ('0, "(alpha_3 + 3*p)/(2*(1 - p))"]', '"(alpha_3 + 3*p)/(2*(1 - p))", 0]'),
+    ('0, "-(alpha_3 + 3*p)/2"]', '"-(alpha_3 + 3*p)/2", 0]'),
+)
 
 
 @pytest.mark.parametrize(
@@ -59,6 +65,38 @@ def test_each_slope_is_found() -> None:
 )
 def test_alphas_of_another_kind_are_none(old: str, new: str) -> None:
     assert found_in((old, new)) is None
+
+
+@pytest.mark.parametrize(
+    ("new", "value", "text"),
+    [
+        ("sin(p)*b + alpha_1 + p/5", lambda p, b: mpmath.sin(p) * b + p / 5 + b - 0.5, "sin(p)"),
+        ("alpha_1/(1 + p + 2*b)", lambda p, b: b - 0.5 / (1 + p + 2 * b), "^(-1)"),
+        ("alpha_1 + p*b*b + x - x", lambda p, b: b - 0.5 + p * b * b, "b^(2)"),
+        ("sin(p)*x/(2*x) + alpha_1", lambda p, b: mpmath.sin(p) / 2 + b - 0.5, "sin(p)"),
+        ("sqrt(1 + p)*exp(b) - 3/2", lambda p, b: mpmath.sqrt(1 + p) * mpmath.exp(b) + b - 1.5, "^(1/2)"),
+    ],
+)
+def test_analytic_alphas_are_found(new: str, value: Callable[[float, float], float], text: str) -> None:
+    """The function at a state, p and b in this order; what stands in the way cancels."""
+    for changes in ((), (('"p", "b"]', '"b", "p"]'), *SWAPPED)):
+        found = found_in(*changes, ("alpha_1 + p/5", new))
+        assert found is not None
+        assert found[0] == ("p", "b")
+        alpha = found[1].alpha_1
+        assert isinstance(alpha, Analytic)
+        assert text in alpha.text
+        assert found[1].alpha_2 == Affine(fmpq(-1), fmpq(-1), fmpq(2))
+        (at,) = BoxProgram([alpha.function], 2).values([arb("0.125"), arb("-0.0625")])
+        assert abs(float(at.mid()) - value(0.125, -0.0625)) < 1e-12
+
+
+def test_without_rational_taylor_coefficients_it_is_refused() -> None:
+    with pytest.raises(ValueError, match="not rational"):
+        found_in(("alpha_1 + p/5", "exp(1 + p) - 4"))
+    mechanism = parse_mechanism(TEXT.replace("alpha_1 + p/5", "exp(1 + p) - 4"))
+    found = mechanism_side(load("extended system"), {"x": 0, "u": 1, "p": "1/5", "b": "-1/50"})
+    assert with_explicit(found, mechanism, {"p": "1/100", "b": "-1/50"}) is found
 
 
 @pytest.mark.parametrize(
