@@ -1,4 +1,4 @@
-"""Theorem B': the bound of the fast deviation where the alphas are affine in p and b, for all epsilon at once.
+"""Theorem B': the bound of the fast deviation where the alphas are functions of p and b, for all epsilon at once.
 
 Proof page: ``proofs/from_state.md``, section 8. Every hypothesis is compared in :func:`affine_tube`.
 """

@@ -1,4 +1,4 @@
-"""The slow manifold where the alphas are affine in p and b, by polynomials in h, r and L, and its reference force.
+"""The slow manifold where the alphas are polynomials in p and b, by polynomials in h, r and L, and its reference force.
 
 Proof page: ``proofs/from_state.md``, section 8. Exact rationals; h = e/p^(3/2), r = sqrt(p), L the excess of -b/p over
 the reference force. The names are those of the page: V = h r u, W = r^2 w, phi = r^2 f.
