@@ -34,3 +34,8 @@ class Derived(Generic[T]):
     alpha_3: T
     mu: T
     mass_matrix: tuple[tuple[T, ...], ...] | None
+
+    @property
+    def inertia(self) -> tuple[tuple[T, ...], ...]:
+        """What must be positive definite: the mass matrix; A, B, B, C where none is given (paper, Sec. 1.1)."""
+        return self.mass_matrix or ((self.A, self.B), (self.B, self.C))

@@ -2,11 +2,14 @@
 
 The friction coefficient must not be negative there.
 
+Proof page: ``proofs/mechanism_hypotheses.md``.
+
 Paper, Sec. 1.1: A > 0, C > 0, A C - B^2 > 0 follow from a positive definite mass matrix.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -37,7 +40,7 @@ at the G-spot: its leading minor of size 1 is -1
     """
     name = shifted.mechanism.name
     f = shifted.functions
-    rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
+    rows = f.inertia
     expressions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], ring)
     series = SeriesOfFunctions(expressions, NumberTerms(ring), ring)
     try:
@@ -76,6 +79,19 @@ def _positive(message: str, value: Any, ring: Ring) -> Evidence:
     return shown
 
 
+def positive_definite(entries: Sequence[Any]) -> Evidence | None:
+    """That a symmetric matrix with these entries, row by row, is: its leading minors are certainly positive.
+
+    >>> from flint import fmpq
+    >>> positive_definite([fmpq(2), fmpq(1), fmpq(1), fmpq(1)]) is None
+    False
+    >>> positive_definite([fmpq(2), fmpq(2), fmpq(2), fmpq(1)]) is None
+    True
+    """
+    size = math.isqrt(len(entries))
+    return every(less(0, minor) for minor in leading_minors([entries[i : i + size] for i in range(0, size**2, size)]))
+
+
 def leading_minors(matrix: Sequence[Sequence[Any]]) -> Iterator[Any]:
     """The leading minors one after the other, by elimination; none may vanish but the last one asked for.
 
@@ -84,9 +100,9 @@ def leading_minors(matrix: Sequence[Sequence[Any]]) -> Iterator[Any]:
     [2, 6]
     """
     rows = [list(row) for row in matrix]
-    minor: Any = 1
+    minor: Any = None
     for k, own in enumerate(rows):
-        minor = minor * own[k]
+        minor = minor * own[k] if k else own[k]
         yield minor
         for row in rows[k + 1 :]:
             factor = row[k] / own[k]

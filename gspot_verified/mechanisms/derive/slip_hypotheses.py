@@ -1,6 +1,6 @@
-"""What rigid slip supposes of every state: a positive definite mass matrix, no negative friction.
+"""What conclusions about a mechanism suppose of its states: a positive definite mass matrix, no negative friction.
 
-Proof pages: ``proofs/approach.md``, section 1; ``proofs/sign_of_p.md``.
+Proof page: ``proofs/mechanism_hypotheses.md``.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from flint import arb, fmpq
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.periods import period_factor
 from gspot_verified.functions.rings import BALLS
-from gspot_verified.mechanisms.derive.mass_matrix import leading_minors
+from gspot_verified.mechanisms.derive.mass_matrix import positive_definite
 from gspot_verified.mechanisms.derive.to_system import Shifted
-from gspot_verified.numbers.evidence import at_most, every, less
+from gspot_verified.numbers.evidence import at_most, every
 from gspot_verified.numbers.verdict import Evidence
 
 MASS_MATRIX = "the mass matrix is not certainly positive definite on the way"
@@ -26,9 +26,8 @@ class SlipHypotheses:
 
     def __init__(self, shifted: Shifted) -> None:
         f = shifted.functions
-        rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
-        self._size, self._dimension = len(rows), len(f.F)
-        self._functions = shifted.expressions([*(entry for row in rows for entry in row), f.mu], BALLS)
+        self._dimension = len(f.F)
+        self._functions = shifted.expressions([*(entry for row in f.inertia for entry in row), f.mu], BALLS)
         self._program = BoxProgram(self._functions, self._dimension)
 
     @property
@@ -44,8 +43,7 @@ class SlipHypotheses:
     def checked(self, box: Sequence[arb]) -> Evidence | str:
         """That they hold for every state of the box; or, in words, which one is not certain."""
         *entries, friction = self._program.mean_values(list(box[: self._dimension]))
-        rows = [entries[i * self._size : (i + 1) * self._size] for i in range(self._size)]
-        definite, pushes = every(less(0, minor) for minor in leading_minors(rows)), at_most(0, friction)
+        definite, pushes = positive_definite(entries), at_most(0, friction)
         if definite is None:
             return MASS_MATRIX
         return every([definite, pushes]) or FRICTION

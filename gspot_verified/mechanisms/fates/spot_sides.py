@@ -57,7 +57,8 @@ def spot_sides(mechanism: Mechanism) -> SpotSides:
     """
     with working_bits(DEFAULT_BITS):
         shifted = shift(mechanism)
-        place = prove_near(shifted, place_in(shifted, BALLS), DEFAULT_BITS).system.point
+        spot = prove_near(shifted, place_in(shifted, BALLS), DEFAULT_BITS)
+        place = spot.system.point
         flow = SlipFlow.of(shifted)
         numbers = SlipNumbers(flow)
         star = numbers.on(place)
@@ -73,7 +74,7 @@ def spot_sides(mechanism: Mechanism) -> SpotSides:
         if rule is None:
             return SpotSides(case, beta, None, None, "beta is, or may be, an integer", None)
         regular = independent(numbers, active_components(flow), place)
-        shown = every([rule[1], regular, *(less(each, 0) for each in alphas)])
+        shown = every([spot.shown, rule[1], regular, *(less(each, 0) for each in alphas)])
         if shown is None:
             return SpotSides(case, beta, None, None, "p, b, y, v may be dependent at the G-spot", None)
         return SpotSides(case, beta, OTHER[rule[0]], rule[0], "", shown)

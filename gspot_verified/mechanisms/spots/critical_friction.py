@@ -149,8 +149,7 @@ class _Maximum:
         self._constrained = bool(shifted.constraints)
         self._size = len(self._mechanism.state)
         speed = {SLIP_SPEED: Variable(self._size)}  # a component on which the friction coefficient may depend
-        mass = functions.mass_matrix or ((functions.A, functions.B), (functions.B, functions.C))  # paper, Sec. 1.1
-        entries = [entry for row in mass for entry in row]
+        entries = [entry for row in functions.inertia for entry in row]
         parts = [functions.B, functions.C, functions.y, functions.mu, *entries]
         B, C, self._y, self._mu, *entries = shifted.expressions(parts, BALLS, speed)
         values = self._solved_for()
@@ -164,7 +163,7 @@ class _Maximum:
         )
         self._ratio, constraint = substitute(B / C, values), substitute(self._y, values)
         self._mass_matrix = [substitute(entry, values) for entry in entries]
-        self._mass_size = len(mass)
+        self._mass_size = len(functions.inertia)
         solved = self._y_is_solved
         self._constraint = None if solved else constraint
         self._all = [self._ratio] if self._constraint is None else [self._ratio, self._constraint]

@@ -58,19 +58,18 @@ def parametric_system(mechanism: Mechanism, parameters: Sequence[str], fixed: Se
         raise MechanismError(f"{mechanism.name}: parameters without a value: {', '.join(missing)}")
     shifted = shift(free, free=True)
     f = shifted.functions
-    rows = f.mass_matrix or ((f.A, f.B), (f.B, f.C))
     conditions = [f.p, f.b, f.y, f.v, *_extra_conditions(shifted, fixed)]
     scalars = [f.alpha_1, f.alpha_2, f.alpha_3, f.u, f.mu]
     with working_bits(_CONSTANT_BITS):
         own_variables = {name: Variable(len(mechanism.state) + j) for j, name in enumerate(parameters)}
         expressions = shifted.expressions(
-            [*conditions, *scalars, *(entry for row in rows for entry in row)], BALLS, own_variables
+            [*conditions, *scalars, *(entry for row in f.inertia for entry in row)], BALLS, own_variables
         )
     own, (first, second, third, slip, friction, *entries) = (
         expressions[: len(conditions)],
         expressions[len(conditions) :],
     )
-    size = len(rows)
+    size = len(f.inertia)
     matrix = tuple(tuple(entries[i * size : (i + 1) * size]) for i in range(size))
     return ParametricSystem(
         name=mechanism.name,

@@ -5,18 +5,18 @@ Proof page: ``proofs/sweep.md``, sections 3 and 4. Paper, Sec. 1.2 and Sec. 4.5.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from flint import arb, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram, common
-from gspot_verified.mechanisms.derive.mass_matrix import leading_minors
+from gspot_verified.mechanisms.derive.mass_matrix import positive_definite
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece, TubeRecord, interval
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Quantity
 from gspot_verified.numbers.balls import nonfinite, sign_of
+from gspot_verified.numbers.evidence import at_most
 from gspot_verified.numbers.packed import PackedIntervals
 from gspot_verified.signs.gamma.side import MAX_BETA, gamma_sign
 
@@ -120,12 +120,8 @@ def _beta(on: OnTube, numbers: Mapping[str, arb]) -> arb:
 def _doubts(on: OnTube) -> tuple[str, ...]:
     """The hypotheses that are not certain on the whole tube."""
     friction, *entries = on.quantities[4:]
-    size = math.isqrt(len(entries))
-    values = [on.value(entry) for entry in entries]
-    minors = leading_minors([values[i * size : (i + 1) * size] for i in range(size)])
-    definite = all(minor > 0 for minor in minors)
-    certain = (definite, bool(on.value(friction) >= 0))
-    return tuple(name for name, holds in zip(HYPOTHESES, certain, strict=True) if not holds)
+    shown = positive_definite([on.value(entry) for entry in entries]), at_most(0, on.value(friction))
+    return tuple(name for name, holds in zip(HYPOTHESES, shown, strict=True) if holds is None)
 
 
 def _side(beta: arb, known: Mapping[str, int]) -> tuple[int | None, int | None, tuple[str, ...]]:

@@ -110,7 +110,7 @@ class CertifiedPhase:
         for segment in run:
             doubt = self._doubt(segment, arb(0), arb(1))
             if doubt is not None:
-                return Open(f"{doubt} may be negative in contact, where the equations have no sense", segment.time)
+                return Open(f"{doubt} may be negative, where the equations have no sense", segment.time)
             hits = [watch.along(segment) for watch in watches]
             if any(hit is not None for hit in hits):
                 return self._ended(watches, hits, segment, start)

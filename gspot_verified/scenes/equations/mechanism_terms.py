@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,6 +10,8 @@ from flint import fmpq
 
 from gspot_verified.functions.derivative import plus, times
 from gspot_verified.functions.expressions import Constant, Expression
+from gspot_verified.mechanisms.derive.mass_matrix import leading_minors
+from gspot_verified.mechanisms.formulas.rewriting import simplified
 from gspot_verified.mechanisms.formulas.simplify import minus, negative, power_of, product_of, sum_of
 from gspot_verified.scenes.equations.terms import FLIGHT, REVERSE, SLIP, STICK, Terms, scaled
 
@@ -42,14 +45,14 @@ class MechanismTerms(Terms):
         epsilon: fmpq,
         parameters: Mapping[str, fmpq],
         functions: Functions,
-        integrated: Sequence[str],
-        has_masses: bool = True,
+        masses: Sequence[Expression],
+        sees_A: bool,
     ) -> None:
-        """``integrated``: the names of the functions all of whose components are; the values of others mean nothing.
-        ``has_masses``: whether a mass matrix gives the fields."""
+        """``masses``: the entries of the mass matrix, row by row; none where the fields are given.
+        ``sees_A``: whether all on which A depends is integrated; else its value means nothing."""
         super().__init__(phase, states, epsilon, parameters)
         self.functions = functions
-        self._integrated, self._has_masses = set(integrated), has_masses
+        self._masses, self._sees_A = masses, sees_A
 
     @property
     def friction(self) -> Expression:
@@ -90,18 +93,17 @@ class MechanismTerms(Terms):
 
     @property
     def supposed(self) -> tuple[tuple[str, Expression], ...]:
-        """mu >= 0, A > 0 and A C > B^2 in contact (paper, Sec. 1.1), where what they depend on is integrated: what mu
-        depends on is wherever it matters for the contact, that of A at least where u is seen.
-
-        A constant has its sign from the start on. The determinant of a mass matrix that gives the fields does not
-        vanish as long as they are finite, so it stays positive definite; then A C > B^2.
-        """
-        if self.phase == FLIGHT:
-            return ()
-        f = self.functions
-        supposed: dict[str, Expression] = {name: getattr(f, name) for name in ("mu", "A") if name in self._integrated}
-        if not self._has_masses and self._integrated.issuperset("ABC"):
-            supposed["A C - B^2"] = minus(product_of(f.A, f.C), product_of(f.B, f.B))
+        """A positive definite mass matrix, or A > 0 and A C > B^2 where none is given; in contact mu >= 0 and A > 0
+        (``proofs/mechanism_hypotheses.md``). A constant has its sign from the start on."""
+        f, size = self.functions, math.isqrt(len(self._masses))
+        supposed: dict[str, Expression] = {}
+        if not self._masses:
+            supposed = {"A": f.A, "A C - B^2": minus(product_of(f.A, f.C), product_of(f.B, f.B))}
+        elif not all(isinstance(entry, Constant) for entry in self._masses):
+            minors = simplified(*leading_minors([self._masses[i : i + size] for i in range(0, size**2, size)]))
+            supposed = {f"the leading minor {n} of the mass matrix": minor for n, minor in enumerate(minors, start=1)}
+        if self.phase != FLIGHT:
+            supposed |= {"mu": f.mu} | ({"A": f.A} if self._sees_A else {})
         return tuple(each for each in supposed.items() if not isinstance(each[1], Constant))
 
     @property

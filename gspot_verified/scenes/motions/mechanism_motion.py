@@ -2,8 +2,8 @@
 
 dxi/dt = F + G_T lambda_T + G_N lambda_N and dv/dt = b + B lambda_T + C lambda_N (paper, Sec. 2). With y = epsilon^2 Y,
 v = epsilon V and T = t/epsilon: Y' = V, V' = dv/dt, xi' = epsilon dxi/dt. Of xi those components are kept on which
-dv/dt (and u, x where an effect sees them) depends; the others are cyclic. A component with a constant rate, as the
-time, is known and not integrated.
+dv/dt (and u, x where an effect sees them), friction and masses depend; the others are cyclic. A component with a
+constant rate, as the time, is known and not integrated.
 
 Where y is linear in a coordinate and v in a velocity, y and v take their places. Elsewhere (an arm on a fixed base, a
 mechanism with constraints) y and v stand beside all components of xi: dy/dt = v and dv/dt = b + B lambda_T + C lambda_N
@@ -155,6 +155,7 @@ class MechanismMotion:
         y, v = product_of(constant(small**2), Variable(m)), product_of(constant(small), Variable(m + 1))
         named = {name: getattr(f, name) for name in (*_SCALARS, "x")}
         named |= {f"{name} {i}": part for name in _FIELDS for i, part in enumerate(getattr(f, name))}
+        named |= {f"M {i} {j}": entry for i, row in enumerate(f.inertia) for j, entry in enumerate(row)}
         named = {name: function for name, function in named.items() if function is not None}
         replacing = {} if self._normal is None else self._normal.solved(y, v)
         roots = replaced(list(named.values()), replacing)
@@ -166,9 +167,15 @@ class MechanismMotion:
         }
         return dict(zip(named, replaced(roots, known), strict=True))
 
+    @property
+    def _inertia(self) -> list[str]:
+        """The names of the entries of what must be positive definite, row by row."""
+        size = range(len(self._shifted.functions.inertia))
+        return [f"M {i} {j}" for i in size for j in size]
+
     def _needed(self) -> list[int]:
-        """The components on which what is seen depends, and those on which their rates depend."""
-        seen = ["b", "p", *self._sees, *(("a", "A", "B", "C", "mu") if "u" in self._sees else ())]
+        """The components on which depends what is seen, or supposed, and those on which their rates depend."""
+        seen = ["b", "p", "mu", *self._inertia, *self._sees, *(("a", "A", "B", "C") if "u" in self._sees else ())]
         seen += ["u"] if self.sees_slip_speed else []
         waiting = variable_indices(self._functions[name] for name in seen)
         needed: set[int] = set()
@@ -206,7 +213,7 @@ class MechanismMotion:
         where = {m + k: states.index(name) for k, name in enumerate(_SCALED)}
         where |= {i: states.index(self.mechanism.state[i]) for i in kept} | {m + 3: len(states)}
         variables: list[Expression] = [Variable(where.get(i, 0)) for i in range(m + 4)]
-        wanted = [*_SCALARS[:-1], *self._sees, *(f"{part} {i}" for part in _FIELDS for i in kept)]
+        wanted = [*_SCALARS[:-1], *self._inertia, *self._sees, *(f"{part} {i}" for part in _FIELDS for i in kept)]
         numbered = [substitute(self._functions[name], variables) for name in wanted]
         if self.sees_slip_speed:
             slip = minus(substitute(self._functions["u"], variables), _belt(values))
@@ -219,11 +226,11 @@ class MechanismMotion:
         expressions = dict(zip(wanted, made, strict=True))
         F, G, G_T, G_N = (tuple(expressions[f"{part} {i}"] for i in kept) for part in _FIELDS)
         scalars = (expressions.get(name, ZERO) for name in (*_SCALARS, "x"))
+        masses = [expressions[name] for name in self._inertia] if self._shifted.functions.mass_matrix else []
         functions = Functions(F, G, G_T, G_N, *scalars)
         known = {*kept, *range(m, m + 4)}
-        integrated = [name for name in wanted if known.issuperset(variable_indices([self._functions[name]]))]
-        has_masses = self._shifted.functions.mass_matrix is not None
-        return MechanismTerms(phase, states, self._epsilon, values, functions, integrated, has_masses)
+        sees_A = known.issuperset(variable_indices([self._functions["A"]]))
+        return MechanismTerms(phase, states, self._epsilon, values, functions, masses, sees_A)
 
     def _at_speed(self, functions: Sequence[Expression], speed: Expression) -> list[Expression]:
         try:

@@ -1,6 +1,6 @@
 """The hypotheses of rigid slip on a box: a positive definite mass matrix, no negative friction, or the doubt is said.
 
-Page: proofs/approach.md, section 1.
+Page: proofs/mechanism_hypotheses.md.
 """
 
 from __future__ import annotations

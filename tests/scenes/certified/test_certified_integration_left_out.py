@@ -480,7 +480,7 @@ def test_a_run_says_nothing_where_its_equations_have_no_sense(A: str, C: str, mu
     assert integrated_run(made, bits=(128,)).verdict.outcome is Outcome.PROVED
     run = integrated_run(replace(made, until=fmpq(1)), bits=(128,))
     assert run.verdict.outcome is Outcome.UNDECIDED
-    assert f"{least} may be negative in contact" in run.verdict.detail
+    assert f"{least} may be negative" in run.verdict.detail
 
 
 @pytest.mark.parametrize("coupling", ["1/2", "-1/2"])
@@ -494,7 +494,7 @@ def test_friction_has_no_sense_where_the_slip_velocity_is_not_seen_either(coupli
     assert integrated_run(made, bits=(128,)).fate == NO_EVENT
     run = integrated_run(replace(made, until=fmpq(6)), bits=(128,))
     assert (run.verdict.outcome, run.fate) == (Outcome.UNDECIDED, OPEN)
-    assert "mu may be negative in contact" in run.verdict.detail
+    assert "mu may be negative" in run.verdict.detail
 
 
 def test_the_words_of_growth_are_rounded_to_the_safe_side() -> None:

@@ -359,7 +359,7 @@ def test_friction_has_sense_for_mu_not_negative_and_a_positive(name: str, value:
     found = supposing(name, Variable(2), fmpq(value))
     assert isinstance(found, PhaseEnd) is sense
     if isinstance(found, Open):
-        assert found.reason == f"{name} may be negative in contact, where the equations have no sense"
+        assert found.reason == f"{name} may be negative, where the equations have no sense"
     assert (module._has_sense("mu", arb(0)), module._has_sense("A", arb(0))) == (True, False)
 
 
