@@ -27,6 +27,7 @@ THEOREMS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("An impact in Cases I and II", ("S-iwc", "C-cases-I-II")),
     ("Case II from the paper’s initial values", ("3-case-II-starts", "3-flight-persists")),
     ("The side of the lift-off in Case III", ("S-side", "S-switching", "C-lift-off")),
+    ("The side for every mechanism of Case III, and near the expansion, for all small ε", ("5-rule", "5-side")),
     ("The impact in Case III, below an explicit ε", ("S-iwc-case-III", "C-iwc-case-III")),
     ("Which trajectory is distinguished", ("4-unique", "4-unique-smooth", "4-behaves-like")),
     ("The expansion of Theorem 1", ("5-theorem-1", "5-theorem-1-orders", "5-theorem-1-spaces")),

@@ -18,7 +18,8 @@ from gspot_verified.paper.checks.paper import paper_hash
 from gspot_verified.paper.verify import PARTS
 from gspot_verified.report import write
 from gspot_verified.report.data import report_data
-from gspot_verified.report.supplement import ERRATA_PAGES, THEOREMS, supplement
+from gspot_verified.report.site import new_results
+from gspot_verified.report.supplement import ERRATA_PAGES, PAGES, THEOREMS, supplement
 from gspot_verified.report.write import PROGRAM, Pdf, pdf_of
 
 needs_latex = pytest.mark.skipif(shutil.which(PROGRAM) is None, reason=f"there is no {PROGRAM} here")
@@ -119,6 +120,18 @@ def test_a_refuted_statement_is_no_theorem() -> None:
 def test_every_theorem_is_an_entry_of_the_ledger() -> None:
     known = {identifier for part in PARTS.values() for identifier in part}
     assert {name for _, names in THEOREMS for name in names} <= known
+
+
+def test_what_is_new_is_in_it() -> None:
+    """Each result of the page that says what is new, by an entry or by its proof page; and the rule for mechanisms."""
+    listed = {name for _, names in THEOREMS for name in names}
+    missing = [
+        result.key
+        for result in new_results()
+        if not listed & set(result.entries) and not {passage.page for passage in result.passages} & set(PAGES)
+    ]
+    assert missing == []
+    assert "5-rule" in listed
 
 
 def test_a_formal_statement_cannot_end_its_frame() -> None:

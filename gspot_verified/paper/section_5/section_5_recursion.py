@@ -290,7 +290,7 @@ def _xinprime() -> Entry:
             lambda parts: [*right_side(parts), *product_of_geometric_series(ALGEBRA, _sum(parts), 0)],
             fault="with λ_n in place of λ_k it is not",
         ),
-        corrected="ξ_n' = F_n + Σ G_{n-k} λ_k: the index of λ is k",
+        corrected="ξ_n' = F_n + Σ_{k=0}^n G_(n-k) λ_k: the index of λ is k",
         note="The orders of G and λ_N must have the sum n.",
     )
 

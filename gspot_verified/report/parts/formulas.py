@@ -14,7 +14,7 @@ from functools import lru_cache
 _GREEK = "α-ωϑϕϱϵΑ-Ω"
 _OPERATORS = "=<>≤≥≠≈∼~±∓·×∈∉⊂⊃∪∩→↦∞∂∇∫∑Σ∏Π√‖⌊⌋⌈⌉−∝≡∀∃"
 _MARKS = re.compile(
-    rf"[{_GREEK}{_OPERATORS}₀-₉⁰¹²³⁴-⁹⁺⁻ⁿℝℂℤℕ^]|[A-Za-z)\]]_[{{A-Za-z0-9]|[|+\u0300-\u036f]|(?<![a-z])/|/(?![a-z])|(?<![A-Za-z])[A-Za-z]/[A-Za-z](?![A-Za-z])|\d[A-Za-z](?![A-Za-z])|"
+    rf"[{_GREEK}{_OPERATORS}₀-₉⁰¹²³⁴-⁹⁺⁻ⁿℝℂℤℕ^]|[A-Za-z)\]]_[{{(A-Za-z0-9]|[|+\u0300-\u036f]|(?<![a-z])/|/(?![a-z])|(?<![A-Za-z])[A-Za-z]/[A-Za-z](?![A-Za-z])|\d[A-Za-z](?![A-Za-z])|"
     r"^[-−]?[A-Za-z]['′]*\("
 )
 _LETTER = re.compile(r"[A-Za-z]['′″]*")
@@ -160,7 +160,7 @@ def _word(word: str) -> str:
 
 def index(source: str, start: int, raised: bool) -> tuple[str, int]:
     """The index that begins at ``start``, without its braces, and where it ends."""
-    if source[start] in "{(" and (source[start] == "{" or raised):
+    if source[start] in "{(":
         opening, closing = source[start], "}" if source[start] == "{" else ")"
         depth = 0
         for end in range(start, len(source)):
@@ -168,7 +168,7 @@ def index(source: str, start: int, raised: bool) -> tuple[str, int]:
             if depth == 0:
                 inner = source[start + 1 : end]
                 # f^(n) is a derivative, e^(n + 1) a power.
-                keep = opening == "(" and re.fullmatch(r"\w|\d+", inner)
+                keep = raised and opening == "(" and re.fullmatch(r"\w|\d+", inner)
                 return (source[start : end + 1] if keep else inner), end + 1
     pattern = r"[-−+]?(\d+|[A-Za-z]{3,}|[^\W\d_])[̀-ͯ]*['′]*(?:[*](?![\w(]))?" if raised else r"[^\W_]+[̀-ͯ]*|."
     match = re.compile(pattern).match(source, start)

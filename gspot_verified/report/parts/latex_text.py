@@ -12,14 +12,15 @@ from gspot_verified.report.parts.formulas import TYPED, follows, index, runs
 
 _GREEK_NAMES = (
     "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi "
-    "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
+    "psi omega Gamma Delta Theta Lambda Xi Upsilon Phi Psi Omega"
 )
-_GREEK = dict(zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩ", _GREEK_NAMES.split(), strict=True))
+_GREEK = dict(zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΥΦΨΩ", _GREEK_NAMES.split(), strict=True))
 _GREEK |= {"ϕ": "phi", "ϑ": "vartheta", "ς": "varsigma"}
 _SIGNS = {
     "≤": "le", "≥": "ge", "≠": "ne", "≈": "approx", "∼": "sim", "~": "sim", "±": "pm", "∓": "mp", "·": "cdot",
     "×": "times", "∈": "in", "∉": "notin", "⊂": "subset", "⊃": "supset", "∪": "cup", "∩": "cap", "→": "to",
-    "↦": "mapsto", "∞": "infty", "∂": "partial", "∇": "nabla", "∫": "int", "∑": "sum", "∏": "prod", "√": "surd",
+    "↦": "mapsto", "∞": "infty", "∂": "partial", "∇": "nabla", "∫": "int", "√": "surd",
+    "∑": "sum", "Σ": "sum", "∏": "prod", "Π": "prod",
     "‖": "|", "⌊": "lfloor", "⌋": "rfloor", "⌈": "lceil", "⌉": "rceil", "∝": "propto", "≡": "equiv", "∀": "forall",
     "∃": "exists", "…": "ldots", "{": "{", "}": "}", "%": "%", "#": "#", "&": "&", "$": "$", "\\": "backslash",
     "ℝ": "mathbb{R}", "ℂ": "mathbb{C}", "ℤ": "mathbb{Z}", "ℕ": "mathbb{N}",
@@ -41,7 +42,7 @@ _WORDS = {
 }  # fmt: skip
 _OTHERS = (
     "text frac tfrac sqrt quad qquad ldots cdots dots epsilon mathcal mathbb mathrm operatorname dddot ddddot iff "
-    "Rightarrow not leq geq ll left right big bigl bigr Big prime eps"
+    "Rightarrow not leq geq ll left right big bigl bigr Big prime eps Pi Sigma"
 )
 _KNOWN = {*_GREEK_NAMES.split(), *_SIGNS.values(), *_FUNCTIONS, *_ACCENTS.values(), *_OTHERS.split(), *" ,;:!{}_|"}
 """Commands that a printed form may hold; none of them reads a file or defines anything."""

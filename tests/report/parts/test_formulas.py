@@ -43,6 +43,9 @@ def test_no_character_of_a_proof_is_lost(page: Path) -> None:
     [
         ("p_n", "<i>p</i><sub><i>n</i></sub>"),
         ("e^(−x²)", "<i>e</i><sup>−<i>x</i>²</sup>"),
+        ("P_(ν−4)", "<i>P</i><sub><i>ν</i>−4</sub>"),
+        ("y_(n-4)(0)", "<i>y</i><sub><i>n</i>−4</sub>(0)"),
+        ("(f_ξ)_(k)", "(<i>f</i><sub><i>ξ</i></sub>)<sub><i>k</i></sub>"),
         ("f^(n)", "<i>f</i><sup>(<i>n</i>)</sup>"),
         ("Σ_{n<M} a_n", "Σ<sub><i>n</i>&lt;<i>M</i></sub> <i>a</i><sub><i>n</i></sub>"),
         ("α_1*", "<i>α</i><sub>1</sub><sup>*</sup>"),
@@ -67,6 +70,10 @@ def test_prose_stays(text: str) -> None:
 def test_a_formula_ends_with_its_sentence() -> None:
     assert typeset("Let β > 1. Then") == 'Let <span class="formula"><i>β</i> &gt; 1</span>. Then'
     assert typeset("so |R(s, δ)| ≤ K, as").endswith("</span>, as")
+
+
+def test_an_index_in_brackets_makes_a_formula() -> None:
+    assert typeset("of z_(n-1) is") == 'of <span class="formula"><i>z</i><sub><i>n</i>−1</sub></span> is'
 
 
 @pytest.mark.parametrize("mark", ["'", "’"])

@@ -48,6 +48,7 @@ def test_any_text_becomes_balanced_ascii(text: str) -> None:
         ("Várkonyi, Painlevé — “so”", r"V\'{a}rkonyi, Painlev\'{e} \textemdash{} ``so''"),
         ("verify --formal", "verify -{}-formal"),
         ("constant α's, the α’s", r"constant $\alpha$'s, the $\alpha$'s"),
+        ("F_n + Σ G_(n-k) λ_k, Π_(k=1)^n β_k", r"$F_{n} + \sum G_{n-k} \lambda_{k}$, $\prod_{k=1}^{n} \beta_{k}$"),
         ("one ☃", r"one $\text{[U+2603]}$"),
         ("every ε in (0, 1/100]: for all", r"every $\varepsilon$ in $(0,\allowbreak1/100]$: for all"),
         ("on [τ_0, ∞) the force", r"on $[\tau_{0},\allowbreak \infty)$ the force"),
