@@ -50,6 +50,8 @@ PROPERTIES = {
     "fit each other very well": "%",
     "vanishingly": "vanish|ε\\^",
     "lead rapidly": r"rapid|ε\^",
+    "corners": "corner",
+    r"diverges\s+to\s+\$-": "-∞",
 }
 """A property that a sentence claims, where it is no part of a name, and how a row says it: qualifying words too."""
 

@@ -18,10 +18,10 @@ from gspot_verified.compliant.motion.first_zero import contact_lasts, first_zero
 from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
-from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.numerics.paper_runs import START, fate_by_side, margin_up_to
 
-ALGEBRA = Algebra("p epsilon")
+ALGEBRA = Algebra("p epsilon y z lam")
 _SYMBOLS = ALGEBRA.symbols
 PANELS = {fmpq(1, 2): "a", fmpq(3, 2): "b", fmpq(5, 2): "c"}
 FACTORS = (fmpq(1, 4), fmpq(1, 2), fmpq(1), fmpq(2), fmpq(4))
@@ -39,10 +39,15 @@ FATES: dict[fmpq, dict[fmpq, str]] = {
 """By β and ν, from lines 763 to 785: all of panel (a) take an impact; in (b) and (c) the trivial solution divides the
 two fates, which are swapped. The sides are those of lines 783 to 785 with |b(0)| in place of b(0) (entry 3-sides)."""
 DRAWN = {
-    IMPACT: "contact lasts for ever with λ_N > 0, and λ_N → +∞: an impact without collision",
+    IMPACT: "contact lasts for ever with λ_N > 0, λ_N → +∞ and y → −∞: an impact without collision",
     LIFT_OFF: "λ_N is positive until after the G-spot, and then contact is lost",
     TRIVIAL: "it is the trivial solution, and λ_N is constant for ever",
 }
+
+BELOW = "; z begins below 0 and falls where it is 0 (modelsys5), y = z - ε² λ_N"
+BY_AN_INTEGRAL = "y = z - ε² λ_N, and e^(t/ε) z falls from below 0 (modelsys5); "
+RATE_OF_Z, FORCE = "-z - lam", "z - y"
+"""ε z' of modelsys5 and ε² λ_N of compl2, with ε² λ_N as lam."""
 
 
 def initial_state(beta: fmpq, nu: fmpq, epsilon: fmpq) -> tuple[CompliantModel, CompliantState]:
@@ -83,6 +88,34 @@ def fate_at(beta: fmpq, nu: fmpq, epsilon: fmpq) -> str | None:
     return None if lower is None else LIFT_OFF if lower > 0 else EARLY
 
 
+def depth(beta: fmpq, nu: fmpq) -> fmpq:
+    """-z/ε² at the start of a run, at every ε."""
+    return -initial_state(beta, nu, fmpq(1))[1].z
+
+
+def y_is_below_z() -> bool:
+    """Whether y is z - ε² λ_N: with z < 0 it is below -ε² λ_N, and tends to −∞ where λ_N tends to +∞."""
+    z, lam = _SYMBOLS["z"], _SYMBOLS["lam"]
+    return bool((ALGEBRA.substitute(ALGEBRA.read(FORCE), {"y": z - lam}) - lam).is_zero())
+
+
+def surface_stays_below(beta: fmpq, nu: fmpq) -> bool | None:
+    """Whether z < 0 as long as λ_N > 0: so it begins, and where z is 0 it falls."""
+    at_zero = ALGEBRA.substitute(ALGEBRA.read(RATE_OF_Z), {"z": ALGEBRA.constant(0)})
+    return depth(beta, nu) > 0 and rising_signs(-at_zero) and y_is_below_z()
+
+
+def surface_by_an_integral(beta: fmpq, nu: fmpq) -> bool | None:
+    """The same by e^(t/ε) z, which begins below 0 and has the rate -e^(t/ε) ε λ_N: ε z' + z is -ε² λ_N."""
+    rate = ALGEBRA.read(RATE_OF_Z) + _SYMBOLS["z"]
+    return depth(beta, nu) > 0 and (rate + _SYMBOLS["lam"]).is_zero() and y_is_below_z()
+
+
+def with_the_depth(beta: fmpq, nu: fmpq, drawn: bool | None, below: Callable[[fmpq, fmpq], bool | None]) -> bool | None:
+    """An answer on a fate, with that on y where the fate is an impact."""
+    return all_of([drawn, below(beta, nu)]) if FATES[beta][nu] == IMPACT else drawn
+
+
 def are_drawn(beta: fmpq, nu: fmpq, found: Sequence[str | None]) -> bool | None:
     """Whether these fates are that of the figure."""
     return all_of(None if fate is None else fate == FATES[beta][nu] for fate in found)
@@ -104,8 +137,9 @@ def _entry(beta: fmpq, nu: fmpq, every: str, proof: Check) -> Entry:
         f"every {every}: {DRAWN[FATES[beta][nu]]}",
         proof,
         Rung.POINTS.check(
-            "the sign of K and intervals at ε = 10^-3, 10^-6, 10^-12",
-            are_drawn(beta, nu, tried),
+            f"{BY_AN_INTEGRAL if FATES[beta][nu] == IMPACT else ''}the sign of K and intervals at ε = 10^-3, 10^-6, "
+            "10^-12",
+            with_the_depth(beta, nu, are_drawn(beta, nu, tried), surface_by_an_integral),
             ", ".join(fate or "open" for fate in tried),
         ),
         note="About the compliant model (modelsys1 to modelsys5) from these initial values, not the leading order. The "
@@ -116,8 +150,9 @@ def _entry(beta: fmpq, nu: fmpq, every: str, proof: Check) -> Entry:
 def _run(beta: fmpq, nu: fmpq) -> Entry:
     every, fate = f"ε in (0, {EPSILON_0[beta]}]", proved_fate(beta, nu)
     finding = f"every {every}: {fate or 'open'}"
-    what = "proofs/paper_runs.md, Theorem A'"
-    return _entry(beta, nu, every, Rung.BALLS.check(what, are_drawn(beta, nu, [fate]), finding))
+    what = f"proofs/paper_runs.md, Theorem A'{BELOW if FATES[beta][nu] == IMPACT else ''}"
+    agrees = with_the_depth(beta, nu, are_drawn(beta, nu, [fate]), surface_stays_below)
+    return _entry(beta, nu, every, Rung.BALLS.check(what, agrees, finding))
 
 
 def _trivial_run(beta: fmpq, nu: fmpq) -> Entry:

@@ -68,6 +68,38 @@ def test_a_run_that_is_not_seen_to_be_trivial_is_open(monkeypatch: pytest.Monkey
     assert varsim1.ENTRIES["3-varsim1b-1"]().checks[0].agrees is None
 
 
+@pytest.mark.parametrize("nu", varsim1.FACTORS)
+def test_an_impact_goes_down_without_bound(monkeypatch: pytest.MonkeyPatch, nu: fmpq) -> None:
+    """y < -ε² λ_N: z < 0 by two routes, from below, and where the surface is pulled down alone."""
+    beta = fmpq(1, 2)
+    assert varsim1.surface_stays_below(beta, nu) is True
+    assert varsim1.surface_by_an_integral(beta, nu) is True
+    for wrong in ("-z + lam", "z + lam", "-z", "-2*z - lam"):
+        with monkeypatch.context() as patch:
+            patch.setattr(varsim1, "RATE_OF_Z", wrong)
+            assert not (varsim1.surface_stays_below(beta, nu) and varsim1.surface_by_an_integral(beta, nu)), wrong
+    monkeypatch.setattr(varsim1, "FORCE", "y - z")
+    assert varsim1.surface_stays_below(beta, nu) is False
+    assert varsim1.surface_by_an_integral(beta, nu) is False
+
+
+@pytest.mark.parametrize(("z", "below"), [(fmpq(-1, 9), True), (fmpq(0), False), (fmpq(1, 9), False)])
+def test_the_surface_starts_below(monkeypatch: pytest.MonkeyPatch, z: fmpq, below: bool) -> None:
+    monkeypatch.setattr(varsim1, "initial_state", lambda *_: (None, SimpleNamespace(z=z)))
+    assert varsim1.surface_stays_below(*IMPACT) is below
+    assert varsim1.surface_by_an_integral(*IMPACT) is below
+
+
+@pytest.mark.parametrize("name", ["surface_stays_below", "surface_by_an_integral"])
+def test_an_impact_needs_that_y_goes_down(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    monkeypatch.setattr(varsim1, "proved_fate", lambda *_: "impact")
+    monkeypatch.setattr(varsim1, "fate_at", lambda *_: "impact")
+    assert "y → −∞" in varsim1.ENTRIES["3-varsim1a-4"]().statement
+    assert varsim1.ENTRIES["3-varsim1a-4"]().verdict.outcome is Outcome.PROVED
+    monkeypatch.setattr(varsim1, name, lambda *_: None)
+    assert varsim1.ENTRIES["3-varsim1a-4"]().verdict.outcome is Outcome.UNDECIDED
+
+
 @pytest.mark.parametrize(("margin", "proved"), [(fmpq(1, 9), True), (fmpq(0), False), (fmpq(-1), False), (None, False)])
 def test_a_margin_must_be_positive(monkeypatch: pytest.MonkeyPatch, margin: fmpq | None, proved: bool) -> None:
     monkeypatch.setattr(varsim1, "margin_up_to", lambda *_: margin)
