@@ -132,10 +132,10 @@ def _expression(polynomial: fmpq_mpoly, generators: Sequence[Expression]) -> Exp
 
 _WORDS = Target(
     variable=["p", "b"].__getitem__,
-    constant=str,
+    constant=lambda value: f"({value})" if value < 0 or value.q != 1 else str(value),
     sum=lambda parts: f"({' + '.join(parts)})",
-    product="{} {}".format,
-    power=lambda base, exponent: f"{base}^({exponent})",
+    product="{}*{}".format,
+    power=lambda base, exponent: f"{base if base in ('p', 'b') else f'({base})'}^({exponent})",
     function="{}({})".format,
 )
 

@@ -75,6 +75,9 @@ def test_alphas_of_another_kind_are_none(old: str, new: str) -> None:
         ("alpha_1 + p*b*b + x - x", lambda p, b: b - 0.5 + p * b * b, "b^(2)"),
         ("sin(p)*x/(2*x) + alpha_1", lambda p, b: mpmath.sin(p) / 2 + b - 0.5, "sin(p)"),
         ("sqrt(1 + p)*exp(b) - 3/2", lambda p, b: mpmath.sqrt(1 + p) * mpmath.exp(b) + b - 1.5, "^(1/2)"),
+        ("-sqrt(4*exp(p))/4", lambda p, b: b - mpmath.exp(p / 2) / 2, "(4*exp(p))^(1/2)"),
+        ("-sqrt((4*exp(p))^3)/16", lambda p, b: b - mpmath.exp(1.5 * p) / 2, "^(1/2)"),
+        ("sin(p*(-3)*b) + alpha_1", lambda p, b: b - 0.5 - mpmath.sin(3 * p * b), "sin("),
     ],
 )
 def test_analytic_alphas_are_found(new: str, value: Callable[[float, float], float], text: str) -> None:
@@ -89,6 +92,8 @@ def test_analytic_alphas_are_found(new: str, value: Callable[[float, float], flo
         assert found[1].alpha_2 == Affine(fmpq(-1), fmpq(-1), fmpq(2))
         (at,) = BoxProgram([alpha.function], 2).values([arb("0.125"), arb("-0.0625")])
         assert abs(float(at.mid()) - value(0.125, -0.0625)) < 1e-12
+        names = {"p": 0.125, "b": -0.0625, "sin": mpmath.sin, "exp": mpmath.exp}
+        assert abs(eval(alpha.text.replace("^", "**"), names) - value(0.125, -0.0625)) < 1e-12, alpha.text
 
 
 def test_without_rational_taylor_coefficients_it_is_refused() -> None:
