@@ -187,7 +187,7 @@ def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
     known: dict[fmpq, Sums] = {}
     likely = [largest for largest in LARGEST if largest > 3 * start.within]
     for ratio, largest in product(_RATIOS, likely):
-        found = affine_tube(one.start, one.norm, one.growth, one.rectangle, e, largest, ratio, known)
+        found = affine_tube(one.start, one.norm, one.growth, one.rectangle, e, largest, ratio=ratio, known=known)
         if isinstance(found, AffineTube):
             return found
     return found
