@@ -25,13 +25,15 @@ HYPOTHESES = {
     4: ("invariant_region", "left_out_effects", "run_certificate"),
     5: ("from_state",),
     6: ("approach", "approach_certificate", "run_certificate"),
+    7: ("from_state", "uniform"),
 }
 """The pages that a certificate rests on, by version: 1 is about Theta, 2 about the compliant model's contact force, 3
 about the number of zeros of its slow solution, 4 about a run, 5 about the way from a state towards the G-spot, 6
-about slip of a mechanism that reaches one."""
+about slip of a mechanism that reaches one, 7 about what follows from a state of the model system."""
 RUN_VERSION = 4  # of certificates of runs
 PASSAGE_VERSION = 5  # of certificates of Theorem B
 APPROACH_VERSION = 6  # of certificates that slip reaches a G-spot
+SIDE_VERSION = 7  # of certificates of lift-off or impact for all small epsilon
 
 
 class Statement(Protocol):

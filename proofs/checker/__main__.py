@@ -14,6 +14,7 @@ standard library is imported. The parts, in the order in which they are read; ea
     mechanism    the equations and events of a mechanism, from its mass matrix, forces and contact (section 1a there)
     run          a run: its steps, signs and events (run_certificate.md, sections 2 to 4)
     passage      from a state towards the G-spot for all small ε (from_state.md, section 10)
+    side         a passage, and what follows: lift-off or impact for all small ε (from_state.md, section 11)
     approach     a mechanism in rigid slip from a state to a G-spot (approach_certificate.md)
     __main__     the kinds of statements, and the command line
 """
@@ -30,6 +31,7 @@ import approach
 import force
 import passage
 import run
+import side
 import statements
 from limits import Limits, Rejected, reject
 from pieces import read_certificate
@@ -40,6 +42,7 @@ OF_LINES = {  # of versions without columns
     run.VERSION: run.check_run,
     passage.VERSION: passage.check_passage,
     approach.VERSION: approach.check_approach,
+    side.VERSION: side.check_side,
 }
 USAGE = "usage: python checker [--workers N] [--limit NAME=NUMBER]... CERTIFICATE"
 LIMITS = f"; the limits are {', '.join(Limits._fields)}"

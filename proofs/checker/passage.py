@@ -23,7 +23,7 @@ from reading import entries, read_line
 VERSION = 5
 HYPOTHESES = ["from_state"]
 BITS = 192  # of what is rounded
-ROOTS = 60  # square roots that make a number small enough for its logarithm
+ROOTS, LARGEST_POWER = 60, 1000  # square roots that make a number small enough for its logarithm; of e
 HALVINGS = 24  # of a box of the rectangle, where a sign is open
 TERMS, HIGHEST = 200, 30  # of a polynomial of the file
 WORK, WORK_PER_BYTE = 10**8, 10_000  # products of digits: for each unit of Limits.work, for each byte
@@ -50,6 +50,15 @@ def log_above(q: Fraction) -> Fraction:
     for _ in range(ROOTS):
         q = root_above(q)
     return (q - 1) * 2**ROOTS
+
+
+def exp_above(x: Fraction) -> Fraction:
+    """A number ≥ e^x: e^(x/2^n) ≤ 1/(1 - x/2^n)."""
+    require(x < LARGEST_POWER, "a power of e is too large")
+    q = above(1 / (1 - x / 2**ROOTS))
+    for _ in range(ROOTS):
+        q = above(q * q)
+    return q
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -85,16 +94,22 @@ class Start:
         require(self.excess != 0, "b = -p λ̄: the distinguished trajectory")
         require((self.scaled * self.a) ** 3 * self.epsilon**2 < self.p**3, "the passage would end before its start")
 
-    def words(self) -> str:
-        """The statement."""
+    def words_of_starts(self, epsilon: Fraction) -> str:
+        """The system, the starts, and every ε up to one."""
         alpha, contact = (", ".join(map(str, values)) for values in (self.alpha, self.contact))
         return (
             f"the model system with α = ({alpha}) and (k_1 ε², k_2 ε², c ε) = ({contact}): for every ε in "
-            f"(0, {self.epsilon}] and every start in contact at p = {self.p}, b = {self.b} with |λ + b/p| ≤ η|L|, "
+            f"(0, {epsilon}] and every start in contact at p = {self.p}, b = {self.b} with |λ + b/p| ≤ η|L|, "
             f"√κ|v|/ε ≤ η√p|L|, (g/√l)|φ| ≤ η√p|L|, η = {self.within}, L = -b/p - {self.mean}, φ = λ + κy/ε² + "
-            f"(l/g)v/ε, κ = {self.kappa}, g = {self.rate}, l = {self.lag}, as long as slip is positive: λ > 0 down "
-            f"to p = {self.scaled * self.a} ε^(2/3), where L has kept its sign, and |log(C/C_1)| ≤ {self.drift} on "
-            f"the way, C = -L p^({1 - self.beta}), C_1 its value at the start"
+            f"(l/g)v/ε, κ = {self.kappa}, g = {self.rate}, l = {self.lag}, as long as slip is positive"
+        )
+
+    def words(self) -> str:
+        """The statement."""
+        return (
+            f"{self.words_of_starts(self.epsilon)}: λ > 0 down to p = {self.scaled * self.a} ε^(2/3), where L has "
+            f"kept its sign, and |log(C/C_1)| ≤ {self.drift} on the way, C = -L p^({1 - self.beta}), C_1 its value at "
+            "the start"
         )
 
 
@@ -299,7 +314,22 @@ def start_bound(slow: Slow, start: Start) -> Fraction:
     return 3 * start.within + one * v + two * w + three * r * f
 
 
-def check_barrier(start: Start, slow: Slow, norm: Norm, rate: Fraction, largest: Fraction, least: Fraction) -> None:
+class Passage(NamedTuple):
+    """z ≤ Z + I until the hand-over, where I is ``first`` at the start; ``share`` is c_W, ``rate`` Γ, ``damping`` θ.
+
+    ``moved`` bounds what z does to log C on the way.
+    """
+
+    slow: Slow
+    barrier: Monomials
+    first: Fraction
+    share: Fraction
+    rate: Fraction
+    damping: Fraction
+    moved: Fraction
+
+
+def check_barrier(start: Start, slow: Slow, norm: Norm, rate: Fraction, largest: Fraction, least: Fraction) -> Passage:
     """The hypotheses of Theorem B for e = e_0, and the drift; ``least``² ≥ p_S², ``largest``: z_max."""
     e, theta, share, w = start.e, norm.damping, norm.share(start), monomials(slow.w)
     require(e**2 < norm.h**2 * start.p**3 and start.p <= norm.r**2, "the start is not on the rectangle")
@@ -326,7 +356,9 @@ def check_barrier(start: Start, slow: Slow, norm: Norm, rate: Fraction, largest:
     fall = decay / max(length, Fraction(2, 3)) - rate
     require(fall > 0, "the integral of the layer is not bounded")
     area = first / fall + passed(Z, norm, last)
-    require(start.beta * (slope + share * area) <= start.drift, "C_1 may drift more than is stated")
+    moved = start.beta * share * area
+    require(start.beta * slope + moved <= start.drift, "C_1 may drift more than is stated")
+    return Passage(slow, Z, first, share, rate, theta, moved)
 
 
 def passed(Z: Monomials, norm: Norm, last: Fraction) -> Fraction:
@@ -339,20 +371,26 @@ def passed(Z: Monomials, norm: Norm, last: Fraction) -> Fraction:
     return total
 
 
+def read_passage(start: Start, line: Any, numbers: Numbers) -> Passage:
+    """Theorem B with the numbers of a line."""
+    names = ("damping", "f", "growth", "largest", "least", "norm", "rate", "rectangle", "v", "w")
+    damping, f, growth, largest, least, k, rate, rectangle, v, w = entries(line, "the line", *names)
+    norm = Norm(*read_list(k, 2), short(growth), short(damping), *read_list(rectangle, 2))
+    require(norm.k_1 >= 0 and norm.k_2 >= 0 and min(norm[3:]) > 0, "a number of the norm is negative")
+    slow = Slow(start, *(read_polynomial(terms, name) for terms, name in ((v, "v"), (w, "w"), (f, "f"))))
+    require(short(largest) > 0 and short(least) > 0, "z_max or the least p is not positive")
+    passage = check_barrier(start, slow, norm, short(rate), short(largest), short(least))
+    N = norm.surplus(slow)
+    check_chart(numbers, N, True, norm.r, norm.h)
+    check_chart(numbers, N, False, norm.h, norm.r)
+    return passage
+
+
 def check_passage(hypotheses: Any, statement: Any, lines: Sequence[bytes], limits: Limits, length: int) -> str:
     """The statement that a certificate of so many bytes proves; ``lines``: those after the first."""
     require(hypotheses == HYPOTHESES, "the pages are not those of a passage")
     start = Start(statement)
     require(len(lines) == 1, "there is not one line after the first")
-    names = ("damping", "f", "growth", "largest", "least", "norm", "rate", "rectangle", "v", "w")
-    damping, f, growth, largest, least, k, rate, rectangle, v, w = entries(read_line(lines[0]), "the line", *names)
-    norm = Norm(*read_list(k, 2), short(growth), short(damping), *read_list(rectangle, 2))
-    require(norm.k_1 >= 0 and norm.k_2 >= 0 and min(norm[3:]) > 0, "a number of the norm is negative")
     numbers = Numbers(BITS, Meter(limits, limits.work * WORK + WORK_PER_BYTE * length))
-    slow = Slow(start, *(read_polynomial(terms, name) for terms, name in ((v, "v"), (w, "w"), (f, "f"))))
-    require(short(largest) > 0 and short(least) > 0, "z_max or the least p is not positive")
-    check_barrier(start, slow, norm, short(rate), short(largest), short(least))
-    N = norm.surplus(slow)
-    check_chart(numbers, N, True, norm.r, norm.h)
-    check_chart(numbers, N, False, norm.h, norm.r)
+    read_passage(start, read_line(lines[0]), numbers)
     return start.words()

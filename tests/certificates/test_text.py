@@ -64,8 +64,9 @@ def assert_only_exact(value: Any) -> None:
 
 def test_the_checker_asks_for_the_same_pages_of_each_version() -> None:
     run, passage, approach = runs.part("run"), mutate.checker().passage, mutate.checker().approach
+    side = mutate.checker().side
     asked = dict(mutate.checker().pieces.HYPOTHESES)
-    asked |= {part.VERSION: part.HYPOTHESES for part in (run, passage, approach)}
+    asked |= {part.VERSION: part.HYPOTHESES for part in (run, passage, approach, side)}
     assert {version: list(names) for version, names in text.HYPOTHESES.items()} == asked
     versions = (text.RUN_VERSION, text.PASSAGE_VERSION, text.APPROACH_VERSION)
     assert versions == (run.VERSION, passage.VERSION, approach.VERSION)

@@ -35,6 +35,7 @@ PARTS = (
     "mechanism",
     "run",
     "passage",
+    "side",
     "approach",
 )
 

@@ -93,7 +93,7 @@ CONTENT: list[tuple[str, str, Mutation, str]] = [
     ("column is a list", "iwc", lambda lines: lines.__setitem__(1, []), "a column has not the keys beta, pieces"),
     ("three ends", "iwc", column_ends(1, "0", "1/4", "1/2"), "a column has not its two lists"),
     # Header.
-    ("unknown version", "iwc", head(version=7), "the version is 7"),
+    ("unknown version", "iwc", head(version=8), "the version is 8"),
     ("version of the zeros at finite epsilon", "iwc", head(version=3), "the hypotheses are not the pages"),
     ("version of the force", "iwc", head(version=2), "the hypotheses are not the pages"),
     ("version true", "iwc", head(version=True), "the version is True"),

@@ -132,7 +132,7 @@ def verdict(
     alpha2: Annotated[str | None, typer.Option(help="With --beta --from: α2* < 0; -1 if left out.")] = None,
     certificate: Annotated[
         Path | None,
-        typer.Option(help="With --beta --from: write a certificate of the way to the G-spot, that `check` reads."),
+        typer.Option(help="With --beta --from: write a certificate of it, that `check` reads."),
     ] = None,
     surface: Surface = None,
     settings: Settings = None,
@@ -195,15 +195,15 @@ def verdict(
         )
     show(found, as_json)
     if certificate is not None and isinstance(found, ModelSide):
-        _write_passage(outputs, certificate, found, progress if as_json else typer.echo)
+        _write_certificate(outputs, certificate, found, progress if as_json else typer.echo)
     outputs.leave(found.verdict.exit_code)
 
 
-def _write_passage(outputs: Outputs, place: Path, side: ModelSide, say: Callable[[str], object]) -> None:
+def _write_certificate(outputs: Outputs, place: Path, side: ModelSide, say: Callable[[str], object]) -> None:
     from gspot_verified.certificates.text import write_text
-    from gspot_verified.expansion.from_state.passage_certificate import passage_certificate
+    from gspot_verified.expansion.from_state.side_certificate import side_certificate
 
     if side.side is None:
         warn(f"--certificate: nothing was proved, so {place} was not written")
-    elif outputs.write("--certificate", place, lambda: write_text(place, passage_certificate(side))):
-        say(f"certificate of the way to the G-spot, for every epsilon up to {side.epsilon}: {place}")
+    elif outputs.write("--certificate", place, lambda: write_text(place, side_certificate(side))):
+        say(f"certificate of it, for every epsilon up to {side.epsilon}: {place}")

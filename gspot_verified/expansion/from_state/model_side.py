@@ -6,12 +6,19 @@ Proof page: ``proofs/from_state.md``, the theorem of section 6.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.choice import LARGEST_DELTA
-from gspot_verified.expansion.from_state.passage import ModelStart, checked_ratio, passage, rounded_up, trajectory_of
+from gspot_verified.expansion.from_state.barrier import Tube
+from gspot_verified.expansion.from_state.choice import LARGEST_DELTA, Plan
+from gspot_verified.expansion.from_state.passage import (
+    ModelStart,
+    checked_ratio,
+    passage,
+    rounded_up,
+    trajectory_of,
+)
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.true_solutions.bound import BITS, rational
 from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges, smallest
@@ -20,6 +27,13 @@ from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_ente
 from gspot_verified.numbers.balls import ExactInput, ball, ball_text, hull, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
+
+
+class Way(NamedTuple):
+    """How the hand-over of one range of epsilon is reached."""
+
+    plan: Plan
+    tube: Tube
 
 
 @dataclass(frozen=True)
@@ -41,9 +55,11 @@ class ModelSide(NoTruthValue, Written):
 
     start: ModelStart
     epsilon: fmpq
+    force: fmpq
     c_1: arb
     side: str | None
     ends: tuple[SideEnd, ...]
+    ways: tuple[Way, ...]
     drift: arb | None
     verdict: Verdict
 
@@ -134,20 +150,30 @@ def _side(start: ModelStart, epsilon: fmpq | None, delta: fmpq, factor: fmpq) ->
         delta = ends[-1].most if ends else smallest(delta)
         epsilon = delta**3
     shown = joined(ends, delta)
+    force = factor * start.mean_force
     whole = (
         f"{start.system_text()}, {start.states_text()}, for every 0 < epsilon <= {epsilon}, as long as slip is positive"
     )
     if shown is None:
         detail = (failed or "different epsilon have different sides") + proved_so_far(ends)
         verdict = Verdict.undecided(f"{whole}: lift-off or impact", Reason.HYPOTHESIS, detail)
-        return ModelSide(start, epsilon, c_1, side=None, ends=(), drift=None, verdict=verdict)
+        return ModelSide(start, epsilon, force, c_1, side=None, ends=(), ways=(), drift=None, verdict=verdict)
     before = f"{whole}: lambda_N > 0 up to s = {first_entered(ends)}, where p = alpha_1 epsilon^(2/3) s"
     if ends[0].side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        ends_by = f"after that it stays so until it exceeds {factor * start.mean_force}; p < 0 there"
+        ends_by = f"after that it stays so until it exceeds {force}; p < 0 there"
         side, statement = "impact", f"{before}; {ends_by}"
+    ways = tuple(Way(each.plan, each.tube) for each in found)
     drift = hull([abs((each.handed.coefficient / c_1).log()) for each in found]).upper()
     return ModelSide(
-        start, epsilon, c_1, side=side, ends=tuple(ends), drift=drift, verdict=Verdict.proved(statement, shown)
+        start,
+        epsilon,
+        force,
+        c_1,
+        side=side,
+        ends=tuple(ends),
+        ways=ways,
+        drift=drift,
+        verdict=Verdict.proved(statement, shown),
     )

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.expansion.true_solutions.cone_choice import cones
-from gspot_verified.expansion.true_solutions.growth import entry_of, grows, ranges_of
+from gspot_verified.expansion.true_solutions.growth import DeviationCone, entry_of, grows, ranges_of
 from gspot_verified.expansion.true_solutions.track import Track
 from gspot_verified.numbers.balls import ball, hull
 from gspot_verified.numbers.evidence import cover, every, less
@@ -24,13 +24,13 @@ _ROOM = fmpq(13, 10)  # above the force that is to be reached, for what is subtr
 class SideEnd:
     """For every delta > 0 from ``least`` to ``most``: lambda_N > 0 up to s_1 = ``entered``; then e_lambda has the sign
     ``side`` and lambda_N vanishes (-1), or exceeds ``force`` without vanishing before (1), with p < 0, by the s of
-    Theorem U2, whose a is ``rate``; ``ratio`` bounds Y_max/Y_1."""
+    Theorem U2 with ``cone``; ``ratio`` bounds Y_max/Y_1."""
 
     least: fmpq
     most: fmpq
     side: int
     entered: fmpq
-    rate: arb
+    cone: DeviationCone
     ratio: arb
     force: arb
     evidence: Evidence
@@ -38,7 +38,7 @@ class SideEnd:
     def latest(self, epsilon: fmpq, power: fmpq) -> arb:
         """The s_+ of Theorem U2 at delta = epsilon^(1/3), mu = ``power``."""
         shrunk = ball(epsilon) ** ball(power / 3)
-        return (ball(self.entered) + (self.ratio / shrunk).log() / self.rate).upper()
+        return (ball(self.entered) + (self.ratio / shrunk).log() / self.cone.a).upper()
 
 
 def first_end(tracked: Track, start: fmpq, factor: fmpq) -> SideEnd | None:
@@ -77,7 +77,7 @@ def first_end(tracked: Track, start: fmpq, factor: fmpq) -> SideEnd | None:
                     most=equations.exact_delta,
                     side=entry.side,
                     entered=entry.place,
-                    rate=cone.a,
+                    cone=cone,
                     ratio=(cone.top / entry.Y.lower()).upper(),
                     force=reached,
                     evidence=evidence,

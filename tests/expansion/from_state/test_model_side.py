@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from flint import arb, fmpq
+from samples.cones import cone_of
 from samples.strategies import ends as exact_ends
 
 from gspot_verified.compliant.model.normal_form import compliant_model, compliant_state
@@ -156,8 +157,8 @@ def staged(side: int, until: fmpq) -> Any:
     def decided(_: Any, __: Any, least: fmpq, most: fmpq, ___: fmpq) -> Any:
         if most > until:
             return "too large"
-        end = SideEnd(least, most, side, PLACE + least, arb("1.25"), arb(40), arb(77), SHOWN)
-        return SimpleNamespace(end=end, handed=SimpleNamespace(coefficient=arb("1.5", "0.25")))
+        end = SideEnd(least, most, side, PLACE + least, cone_of("1.25"), arb(40), arb(77), SHOWN)
+        return SimpleNamespace(end=end, plan=None, tube=None, handed=SimpleNamespace(coefficient=arb("1.5", "0.25")))
 
     return decided
 
@@ -203,12 +204,12 @@ def fabricated(ends: tuple[SideEnd, ...] | None = None, **changes: Any) -> Model
     with working_bits(128):
         start = _of(-1)
         given = {
-            "least": fmpq(0), "most": fmpq(1, 10), "side": -1, "entered": fmpq(3, 2), "rate": arb("1.25"),
+            "least": fmpq(0), "most": fmpq(1, 10), "side": -1, "entered": fmpq(3, 2), "cone": cone_of("1.25"),
             "ratio": arb(17, 1), "force": arb(0), "evidence": SHOWN,
         }  # fmt: skip
         undecided = Verdict.undecided("words", Reason.BUDGET, "why")
         ends = (SideEnd(**(given | changes)),) if ends is None else ends
-        return ModelSide(start, fmpq(1, 1000), start.c_1(), "lift-off", ends, arb(0), undecided)
+        return ModelSide(start, fmpq(1, 1000), fmpq(20), start.c_1(), "lift-off", ends, (), arb(0), undecided)
 
 
 def test_the_time_is_that_of_the_page() -> None:
@@ -228,7 +229,7 @@ def test_the_time_is_that_of_the_page() -> None:
 
 def test_the_time_is_that_of_the_range_of_epsilon() -> None:
     parts = ((fmpq(0), fmpq(1, 20)), (fmpq(1, 20), fmpq(1, 10)))
-    ends = tuple(SideEnd(*part, -1, fmpq(k), arb(1), arb(2), arb(0), SHOWN) for k, part in enumerate(parts, 1))
+    ends = tuple(SideEnd(*part, -1, fmpq(k), cone_of(1), arb(2), arb(0), SHOWN) for k, part in enumerate(parts, 1))
     found = fabricated(ends=ends)
     assert found.entered == 1
     for epsilon, place in ((fmpq(1, 8000), 1.0), (fmpq(1, 7999), 2.0), (fmpq(1, 1000), 2.0)):
@@ -303,7 +304,7 @@ def test_what_is_made_of_a_passage(side: int, word: str, monkeypatch: pytest.Mon
         found = module._side(_of(-1), fmpq(1, 27), fmpq(1, 3), fmpq(11))
         assert found.side == word
         assert found.verdict.outcome is Outcome.PROVED
-        assert (found.entered, found.ends[0].force, found.ends[0].rate) == (fmpq(3, 2), arb(77), arb("1.25"))
+        assert (found.entered, found.ends[0].force, found.ends[0].cone.a) == (fmpq(3, 2), arb(77), arb("1.25"))
         assert found.drift is not None
         assert abs(found.drift - arb(2).log()) < arb("1e-7")
         assert found.drift >= arb(2).log()

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from flint import arb, fmpq
+from samples.cones import cone_of
 from samples.strategies import ends
 
 from gspot_verified.expansion.true_solutions import side_end
@@ -93,7 +94,7 @@ def test_an_end_is_stated_with_what_it_rests_on(side: int, monkeypatch: pytest.M
     found = Run(side, cones=(None, (fmpq(40), arb(3)), None)).found(monkeypatch)
     assert found is not None
     assert (found.least, found.most, found.side, found.entered) == (LEAST, DELTA, side, fmpq(1, 2))
-    assert found.rate == CONE.a
+    assert found.cone.a == CONE.a
     (ratio, _), (least, _) = ends(found.ratio), ends(WIDE)
     assert 128 <= ratio * least < 128 + Fraction(1, 2**200)
     assert found.force == (40 if side < 0 else 30)
@@ -160,7 +161,7 @@ def test_what_comes_after_the_end_fills_no_gap_before_it(monkeypatch: pytest.Mon
 def end(least: fmpq, most: fmpq, side: int = 1) -> SideEnd:
     """A range in which it happens by s = 2 + log(3/delta^mu)/5."""
     assert SHOWN is not None
-    return SideEnd(least, most, side, fmpq(2), arb(5), arb(3), arb(5), SHOWN)
+    return SideEnd(least, most, side, fmpq(2), cone_of(5), arb(3), arb(5), SHOWN)
 
 
 def test_only_ranges_that_cover_all_on_one_side_are_joined() -> None:
