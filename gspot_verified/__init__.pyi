@@ -25,6 +25,7 @@ from gspot_verified.expansion.from_state.limit_side import LimitSide as LimitSid
 from gspot_verified.expansion.from_state.limit_side import limit_side as limit_side
 from gspot_verified.expansion.from_state.model_side import ModelSide as ModelSide
 from gspot_verified.expansion.from_state.model_side import model_side as model_side
+from gspot_verified.expansion.from_state.side_certificate import side_certificate as side_certificate
 from gspot_verified.expansion.residual import residual_bounds as residual_bounds
 from gspot_verified.expansion.series.system import GSpotError as GSpotError
 from gspot_verified.expansion.trajectory import Trajectory as Trajectory

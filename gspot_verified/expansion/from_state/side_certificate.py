@@ -31,7 +31,7 @@ def side_certificate(side: ModelSide) -> str:
         narrow for the checker's own bounds, which are coarser here and there.
 
     >>> from gspot_verified import model_side
-    >>> print(side_certificate(model_side("3/2", "1/2", -2, epsilon="1e-6"))[:36])
+    >>> print(side_certificate(model_side("3/2", "1/2", -2, epsilon="1e-8"))[:36])
     {"format":"gspot_verified certificat
     """
     if not side.ends:
