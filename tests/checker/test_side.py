@@ -51,6 +51,11 @@ def cone(index: int, factor: Fraction) -> Change:
     return change
 
 
+def below_a(line: dict[str, Any]) -> str:
+    """Three quarters of the a of a cone: for all flatter ones that are tried it is too small."""
+    return str(Fraction(line["cone"][0]) * Fraction(3, 4))
+
+
 def of_passage(name: str, value: str) -> Change:
     return lambda _, line: line["passage"].update({name: value})
 
@@ -86,6 +91,7 @@ ACCEPTED: list[tuple[str, Change]] = [
     ("fewer starts", put(0, within="0")),
     ("a later time", moved(0, "by", Fraction(2))),
     ("more pieces", put(1, pieces=LINES[1]["pieces"] + 7)),
+    ("a cone that is a little too steep", cone(0, Fraction(26, 25))),
     ("a wider cone", both(cone(2, Fraction(101, 100)), cone(3, Fraction(1001, 1000)))),
     ("a hand-over farther out", put(1, scaled="33/8", pieces=LINES[1]["pieces"] + 5)),
 ]
@@ -142,7 +148,7 @@ REJECTED: list[tuple[str, Change, str]] = [
     ("c too large", cone(1, Fraction(3)), r"N does not lie in the cone \(G0\)"),
     ("C far too small", cone(3, Fraction(1, 100)), r"N does not lie in the cone \(G0\)"),
     ("C too small for later", cone(3, Fraction(1, 3)), r"\(G4\) does not hold"),
-    ("c no larger than a", lambda _, line: line["cone"].__setitem__(1, line["cone"][0]), r"\(G1\) does not hold"),
+    ("c below a", lambda _, line: line["cone"].__setitem__(1, below_a(line)), r"\(G1\) does not hold"),
     ("B no larger than C", lambda _, line: line["cone"].__setitem__(2, line["cone"][3]), r"\(G3\) does not hold"),
     ("c a little too large", cone(1, Fraction(11, 10)), r"\(G2\) does not hold"),
     ("a slow growth", cone(0, Fraction(10, 13)), r"\(G2\) does not hold"),

@@ -132,7 +132,7 @@ def _inner_slow() -> Entry:
         "lines 2035 to 2045",
         r"\tilde z\to\tilde y/2,\quad\lambda_N=-\tilde y/2",
         "On the inner scale z is the one fast variable: at fixed y it goes to y/2 like e^(-2s/δ), and then λ_N = -y/2; "
-        "no other equation has z, or a factor δ",
+        "specialX to specialV have z by λ_N alone, and no factor δ",
         Rung.EXACT.check(
             "specialZ and specialL at rest; the symbols of specialX to specialV",
             all_of([rests_there(), others_are_slow()]),
