@@ -25,7 +25,7 @@ from reading import entries, read_line
 
 VERSION = 7
 HYPOTHESES = ["from_state", "uniform"]
-WORK, WORK_PER_BYTE, WORK_OF_PIECE = 2 * 10**9, 10_000, 200_000  # products of digits, as in passage.py; for a piece
+WORK, WORK_PER_BYTE = 2 * 10**9, 10_000  # products of digits: for each unit of Limits.work, for each byte
 RANGES, PIECES, DEGREE, ATTEMPTS = 400, 600, 8, 40  # of δ, of s in a range, of the flow, of guesses on a piece
 ONE, ANY_DRIFT = 1 << BITS, str(10**9)
 FLATTER = (Fraction(1), Fraction(31, 32), Fraction(15, 16), Fraction(7, 8))  # of the growth in a file: any is right
@@ -252,10 +252,11 @@ class Equations:
         powers = [nothing, [[ONE * (i == j) for j in range(3)] for i in range(3)]]
 
         def fed(before: list[list[int]], now: list[list[int]], divisor: int) -> list[list[int]]:
-            sums = zip(P, R, strict=True)
+            columns = [*zip(*(now + before), strict=True)]
+            rows = [p + r for p, r in zip(P, R, strict=True)]
             return [
-                [sum(p[m] * now[m][j] + r[m] * before[m][j] for m in range(3)) // divisor for j in range(3)]
-                for p, r in sums
+                [self.numbers.meter.dot(*zip(row, column, strict=True)) // divisor for column in columns]
+                for row in rows
             ]
 
         for k in range(DEGREE):
@@ -266,7 +267,6 @@ class Equations:
     def advance(self, state: Deviations, begin: Fraction, length: Fraction) -> Piece:
         """Theorem U1 on the piece from s = ``begin`` on."""
         numbers, start = self.numbers, self.start
-        numbers.meter.spend(WORK_OF_PIECE, 0)
         end, s = numbers.interval(length), between(numbers, begin, begin + length)
         flow, beyond = self.flow(begin)
         on, basis = on_all(numbers, flow, (0, end[1])), [[(value, value) for value in row] for row in state.basis]

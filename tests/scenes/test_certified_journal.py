@@ -220,7 +220,7 @@ def test_a_budget_of_steps_is_stated_and_a_larger_one_goes_on(whole: Whole, tmp_
     short = resumed(kept, budget=4)
     assert short.fate == OPEN
     assert short.verdict.reason is Reason.BUDGET
-    assert "the budget of 4 steps ended (t = [0.46" in short.verdict.detail
+    assert "the budget of 4 steps ended (t = [0.459" in short.verdict.detail
     assert "certain before it: no event" in short.verdict.detail
     assert kept.read_bytes() == b"".join(lines[:5])
     assert resumed(kept, budget=len(lines)) == run

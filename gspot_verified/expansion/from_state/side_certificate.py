@@ -7,11 +7,14 @@ from __future__ import annotations
 
 import math
 from functools import reduce
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from flint import arb, fmpq, fmpq_mpoly
 
-from gspot_verified.certificates.text import SIDE_VERSION, sealed
+from gspot_verified.certificates.checker import check
+from gspot_verified.certificates.text import SIDE_VERSION, sealed, write_text
 from gspot_verified.expansion.from_state.model_side import ModelSide, Way
 from gspot_verified.expansion.from_state.passage import ModelStart, rounded_up
 from gspot_verified.expansion.from_state.slow_series import Contact, SlowSeries, slow_series, terms_of
@@ -27,8 +30,8 @@ _PIECES = 21  # in a unit of tau
 def side_certificate(side: ModelSide) -> str:
     """The text of a certificate that ``gspot-verified check`` reads: what ``side`` says, and by when.
 
-    :raises ValueError: ``side`` is undecided, or the checker does not confirm one of its ranges: its cone may be too
-        narrow for the checker's own bounds, which are coarser here and there.
+    :raises ValueError: ``side`` is undecided, or the checker does not confirm it: its own bounds are coarser here and
+        there, and its work is limited.
 
     >>> from gspot_verified import model_side
     >>> print(side_certificate(model_side("3/2", "1/2", -2, epsilon="1e-8"))[:36])
@@ -38,9 +41,15 @@ def side_certificate(side: ModelSide) -> str:
         raise ValueError(f"no side is proved for epsilon up to {side.epsilon}")
     with working_bits(BITS):
         statement = _statement(side, reduce(arb.max, (_latest(end, side.start.beta) for end in side.ends)))
-        return sealed(
-            SIDE_VERSION, statement, [_range(side.start, *each) for each in zip(side.ends, side.ways, strict=True)]
-        )
+        ranges = [_range(side.start, end, way) for end, way in zip(side.ends, side.ways, strict=True)]
+        text = sealed(SIDE_VERSION, statement, ranges)
+    with TemporaryDirectory() as folder:
+        file = Path(folder, "side.cert")
+        write_text(file, text)
+        confirmed = check(file)
+    if not confirmed.verified:
+        raise ValueError(f"the checker does not confirm it: {confirmed.text}")
+    return text
 
 
 def _statement(side: ModelSide, latest: arb) -> dict[str, Any]:

@@ -121,7 +121,7 @@ WRONG_FORCE = [
     ("version 1", lambda found: found[0].update(version=1), "the hypotheses are not the pages"),
     ("version 3", lambda found: found[0].update(version=3), "the hypotheses are not the pages"),
     ("version 4", lambda found: found[0].update(version=4), "the pages are not those of a run"),
-    ("version 7", lambda found: found[0].update(version=7), "the version is 7"),
+    ("version 8", lambda found: found[0].update(version=8), "the version is 8"),
     ("two columns", lambda found: found.append(found[1]), ""),
     ("a wider column", lambda found: found[1].update(beta=["17/4", "19/4"]), "there is not one column, the point β"),
     ("a column up to β", lambda found: found[1].update(beta=["17/4", "9/2"]), "there is not one column, the point β"),

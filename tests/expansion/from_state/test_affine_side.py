@@ -273,12 +273,12 @@ def test_lemma_1_is_shown_once_for_each_norm(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_each_ratio_and_z_max_is_tried_until_one_does(monkeypatch: pytest.MonkeyPatch) -> None:
     """But for those z_max that the start exceeds: z_0 >= 3 eta."""
-    tried, known = list[Any](), list[Any]()
+    tried, kept = list[Any](), list[Any]()
     passed = object.__new__(AffineTube)
 
-    def bound(*given: Any) -> Any:
-        words = given[:-1]
-        known.append(given[-1])
+    def bound(*given: Any, ratio: fmpq, known: Any) -> Any:
+        words = (*given, ratio)
+        kept.append(known)
         tried.append(words)
         return passed if words[5] >= fmpq(1, 5) and words[6] > fmpq(11, 10) else f"not {words[5]}"
 
@@ -292,8 +292,8 @@ def test_each_ratio_and_z_max_is_tried_until_one_does(monkeypatch: pytest.Monkey
     assert [words[5:] for words in tried] == wanted
     assert all(words[:5] == ("start 2", "norm", "growth", "rectangle", fmpq(1, 7)) for words in tried)
     assert all(ratio > 1 for ratio in module._RATIOS)
-    assert all(one is known[0] for one in known)
-    monkeypatch.setattr(module, "affine_tube", lambda *words: f"not {words[5]}")
+    assert all(one is kept[0] for one in kept)
+    monkeypatch.setattr(module, "affine_tube", lambda *words, **_: f"not {words[5]}")
     assert module._tube(start, one, fmpq(1, 7)) == f"not {LARGEST[-1]}"
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,7 @@ CASES = [
     ("5/4", "-3", None),
     ("5/2", "-2/3", "1e-6"),
     ("7/3", "-3/4", "1/32000"),
-    ("7/2", "-1", "1e-9"),
+    ("7/2", "-1", "1e-12"),
 ]
 
 
@@ -57,3 +58,10 @@ def test_what_is_undecided_has_no_certificate() -> None:
     assert side.side is None
     with pytest.raises(ValueError, match="no side is proved for epsilon up to 1"):
         side_certificate(side)
+
+
+def test_what_the_checker_does_not_confirm_is_not_written() -> None:
+    side = model_side("3/2", "1/2", -2, epsilon="1e-8")
+    soon = replace(side, ends=tuple(replace(end, entered=end.entered / 10) for end in side.ends))
+    with pytest.raises(ValueError, match="the checker does not confirm it: REJECTED "):
+        side_certificate(soon)

@@ -122,10 +122,15 @@ def growths(
         supposed=(),
         phase="stick" if sticks else "slip",
     )
+
+    def growth(_: Any, limited: bool) -> ExponentialGrowth | None:
+        found = next(shown)
+        return found if limited or found is None or found.until is None else None
+
     record = Record()
     observer = module._ImpactObserver.__new__(module._ImpactObserver)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "InvariantRegion", lambda _: SimpleNamespace(growth=lambda _: next(shown)))
+        patch.setattr(module, "InvariantRegion", lambda _: SimpleNamespace(growth=growth))
         shown = iter(found)
         observer.__init__(
             SimpleNamespace(system=system),
