@@ -220,3 +220,16 @@ def test_the_amplitude_is_that_of_the_distinguished_deviation() -> None:
     low, high = map(float, of.amplitude(numbers()))
     assert exact * math.exp(-0.02) <= low < high <= exact * math.exp(0.02)
     assert high / low < 1.02
+
+
+def test_what_the_deviations_feed_into_the_fast_part_is_the_formula_of_the_page() -> None:
+    """(3): (l/g)δ²|e_b + κas e_y + (l/g)δas e_v|/g_-, at the largest δ, and no less than at any other."""
+    of = shipped(9)
+    equations, s = side.Equations(numbers(), of), Fraction(3, 2)
+    e = [Fraction(2), Fraction(3, 4), Fraction(5, 8)]
+    found = equations.fed([(side.units(v), side.units(v)) for v in e], (side.units(s), side.units(s)))
+    lag, a, kappa = equations.lag, of.start.a, of.start.kappa
+    turn = e[0] + kappa * a * s * e[1] + lag * of.most * a * s * e[2]
+    exact = lag * of.most**2 * turn / equations.least_rate
+    assert exact <= Fraction(found, ONE) <= exact * (1 + Fraction(1, 10**9))
+    assert equations.least_rate == of.start.rate - lag * of.most**2 * a * of.scaled
