@@ -47,7 +47,7 @@ def surviving_exponent(times: Sequence[float], p: Sequence[float], regularisatio
     apart = np.concatenate([[True], np.diff(t) > _LEAST_STEP * t[-1]])  # near the G-spot times may be equal as floats
     t = t[apart]
     rates = np.array([decay_rate(max(value, 0.0), regularisation) for value in np.asarray(p, dtype=float)[apart]])
-    slopes = np.gradient(rates, t)
+    slopes = np.gradient(rates, t, edge_order=2)
     steps = np.diff(t)
     parts = steps * (rates[:-1] + rates[1:]) / 2 + steps**2 * (slopes[:-1] - slopes[1:]) / 12
     return float(parts.sum())
