@@ -57,7 +57,7 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
         block: Matrix
         if len(cluster) == 1:
             block = vectors[:, cluster].real
-        elif len(cluster) == 2 and first.imag != 0 and first == found[cluster[1]].conjugate():
+        elif len(cluster) == 2 and _conjugate(first, found[cluster[1]]):
             block = np.stack([vectors[:, cluster[0]].real, vectors[:, cluster[0]].imag], axis=1)
         else:
             block = _subspace(matrix, values[cluster])
@@ -158,11 +158,15 @@ def _clusters(values: Sequence[complex], zero: float) -> list[list[int]]:
     for i, value in enumerate(values):
         for j, other in enumerate(values[:i]):
             reach = _CLOSE * max(abs(value), abs(other)) + zero
-            conjugate = value.imag != 0 and value == other.conjugate()
-            if conjugate or abs(value - other) <= reach:
+            if _conjugate(value, other) or abs(value - other) <= reach:
                 old, new = label[i], label[j]
                 label = [new if x == old else x for x in label]
     return [[i for i in range(size) if label[i] == name] for name in sorted(set(label))]
+
+
+def _conjugate(one: complex, other: complex) -> bool:
+    """Whether they are the two of a pair, as the same floats."""
+    return one.imag != 0 and one.real == other.real and one.imag == -other.imag
 
 
 def _subspace(matrix: Matrix, values: NDArray[np.complex128]) -> Matrix:
