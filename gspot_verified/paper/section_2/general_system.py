@@ -33,6 +33,14 @@ SLOPES = {"x": ("t1", "t2", "0", "0"), "y": ("n1", "n2", "0", "0")}
 NORMAL = {"v": "n1*w1 + n2*w2 + yt"}
 TANGENTIAL = {"u": "t1*w1 + t2*w2 + xt"}
 STATE = ("q1", "q2", "w1", "w2")
+_TANGENTIAL_TO_NORMAL = "m22*t1*n1 - m12*(t1*n2 + t2*n1) + m11*t2*n2"
+INNER_PRODUCTS = (
+    ("u", "lamT", "m22*t1^2 - 2*m12*t1*t2 + m11*t2^2"),
+    ("u", "lam", _TANGENTIAL_TO_NORMAL),
+    ("v", "lamT", _TANGENTIAL_TO_NORMAL),
+    ("v", "lam", "m22*n1^2 - 2*m12*n1*n2 + m11*n2^2"),
+)
+"""A, B, B and C times det M, as inner products of the gradients t of x and n of y, by the adjugate of M."""
 FRICTION = {"mu": "mu"}
 """A function of the coordinates and of t."""
 
@@ -123,7 +131,10 @@ def _adds_nothing_at_once(place: str, velocity: str) -> bool:
 
 
 def one_coefficient() -> bool | None:
-    """Whether u' and v' are linear in the forces, and λ_N stands in u' with the factor of λ_T in v' (times det M)."""
+    """Whether u' and v' are linear in the forces, with the factors t M^-1 t, t M^-1 n, t M^-1 n, n M^-1 n.
+
+    All times det M: so one B stands in both, and A, B, C are the Lie derivatives along G_T and G_N.
+    """
     velocities = {name: MECHANISM.read(text) for name, text in {**TANGENTIAL, **NORMAL}.items()}
     linear = all(
         part.derivative(other).is_zero()
@@ -131,8 +142,10 @@ def one_coefficient() -> bool | None:
         for part in pushed(force)
         for other in ("lamT", "lam")
     )
-    same = _changed(velocities["u"], "lam") - _changed(velocities["v"], "lamT")
-    return linear and bool(same.is_zero())
+    return linear and all(
+        bool((_changed(velocities[velocity], force) - MECHANISM.read(product)).is_zero())
+        for velocity, force, product in INNER_PRODUCTS
+    )
 
 
 def one_coefficient_of_each() -> bool | None:
@@ -201,20 +214,23 @@ def _projected() -> Entry:
         "2-projected",
         "eqs. udynamics, vdynamics, lines 448 to 453",
         r"\dot u=a+\lambda_TA+\lambda_NB,\ \dot v=b+\lambda_TB+\lambda_NC,\quad"
-        r"B=\mathcal L_{G_N}u=\mathcal L_{G_T}v",
+        r"A=\mathcal L_{G_T}u,\ B=\mathcal L_{G_N}u=\mathcal L_{G_T}v,\ C=\mathcal L_{G_N}v",
         "M q'' = f + t λ_T + n λ_N with a positive definite mass matrix of any size, t and n the gradients of x and y: "
-        "du/dt and dv/dt are linear in λ_T and λ_N, and one B stands in both, L_{G_N} u = L_{G_T} v",
+        "du/dt and dv/dt are linear in λ_T and λ_N, with a = L_F u and b = L_F v as the parts without a force; one B "
+        "stands in both, L_{G_N} u = L_{G_T} v",
         Rung.EXACT.check(
             "where the mass matrix is diagonal: what each coordinate adds to du/dt and dv/dt, for any number of "
             "coordinates",
             one_coefficient_of_each(),
         ),
         Rung.POINTS.check(
-            "the equations of motion of two coordinates, with symbols for M and the gradients of x and y",
+            "the equations of motion of two coordinates, with symbols for M and the gradients of x and y; A, B and C "
+            "are t M^-1 t, t M^-1 n and n M^-1 n there",
             one_coefficient(),
         ),
         Rung.POINTS.check("the rod that slides, in every state of this mechanism", one_coefficient_of_the_rod()),
-        note="B is t M^-1 n. Signs of A, C and AC - B²: 1-mass-matrix.",
+        note="That a and b are the parts without a force is how F is defined: the field for λ_T = λ_N = 0. Signs of A, "
+        "C and AC - B²: 1-mass-matrix.",
     )
 
 
