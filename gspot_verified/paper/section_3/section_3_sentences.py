@@ -29,7 +29,7 @@ SECTION = Section("Section 3")
 ALGEBRA = Algebra("r p Y V Z x y b u alpha2 v z e d")
 _SYMBOLS = ALGEBRA.symbols
 CONTACT = {"Y": "V", "V": "p*(Z - Y)", "Z": "-Z - (Z - Y)"}
-"""modelsys3 to modelsys5 in T = t/ε at fixed p, without b."""
+"""modelsys3 to modelsys5 in T = t/ε at fixed p and b, y = ε² Y, v = ε V, z = ε² Z less their values at rest."""
 CUBIC = "r^3 + 2*r^2 + p*r + p"
 """Its roots r are the rates of the contact: motions e^(r t/ε)."""
 DISCRIMINANT = "-p*(4*p^2 - 13*p + 32)"
@@ -100,8 +100,8 @@ def _oscillations() -> Entry:
         "3-oscillations",
         "lines 742 to 746",
         r"\text{damped oscillations, their frequency diverges to }\infty\text{ as }\epsilon\to0",
-        "At every fixed p > 0 the contact of the model system has motions e^(r t/ε) with a pair r of complex rates, "
-        "-1/2 < Re r < 0, that do not depend on ε: damped oscillations with frequency |Im r|/ε",
+        "At every fixed p > 0 and b the contact of the model system has motions e^(r t/ε) with a pair r of complex "
+        "rates, -1/2 < Re r < 0, that do not depend on ε: damped oscillations with frequency |Im r|/ε",
         Rung.EXACT.check(
             "the characteristic polynomial r³ + 2r² + p r + p: its discriminant is negative for every p > 0, its real "
             "root lies in (-2, -1), the sum of the roots is -2",

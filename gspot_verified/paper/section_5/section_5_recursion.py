@@ -11,12 +11,13 @@ from flint import fmpq, fmpq_mpoly
 from gspot_verified.paper.checks.convolution import NAMES, all_pairs, product_of_geometric_series
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
-from gspot_verified.paper.section_5.double_series import scaled_series
+from gspot_verified.paper.section_2.extended_system import extended_terms
+from gspot_verified.paper.section_5.double_series import example_series, scaled_series
 
 SECTION = Section("Section 5, Theorem 1")
 ALGEBRA = Algebra(
     "alpha1 alpha3 delta epsilon s n k chi u0 u3 b0 b1 b2 b3 r0 r1 r2 w0 q0 q1 q2 q3 l0 l1 l2 y0 y1 y2 y3 v0 v1 z0 z1 "
-    "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a1n a2n fn S m0"
+    "xi1 f g lam a1 a2 a3 p p1 b y v z pd bd yd vd zd xd a1n a2n fn S m0 P B Y V"
 )
 _SYMBOLS = ALGEBRA.symbols
 SCALING = {"xi": 2, "p": 2, "b": 2, "y": 6, "v": 4, "z": 6}
@@ -27,12 +28,15 @@ GENERAL = {
     "specialL": ("epsilon^2*lam - (z - y)", 6),
 }  # fmt: skip
 """Eqs. genSysXi to genSysLN, and the power of delta that each has more than its scaled form."""
+SYNCHRONISED = {"P": "P - p", "B": "B - b", "Y": "Y - y", "V": "V - v"}
+"""Eq. genSysSynch: the functions of the state, and the variables, at one time."""
 PRINTED: dict[str, dict[str, str]] = {
     "5-inner-system": {
         "specialX": "xi1 - (f + g*lam)", "specialPP": "p1 - a1", "specialB": "b1 - (a2 - a3*lam)",
         "specialY": "y1 - v0", "specialV": "v1 - (b0 + p*lam)",
         "specialZ": "delta*z1 + z0 + lam", "specialL": "lam - (z0 - y0)",
     },
+    "5-scaled-start": {"P": "P - delta^2*p", "B": "B - delta^2*b", "Y": "Y - delta^6*y", "V": "V - delta^4*v"},
     "5-orders": {
         "P": "p1", "r_p": "a1n",
         "B": "b1 + alpha3*l0", "r_b": "a2n - S", "Y": "y1 - v0", "V": "v1 - b0 - alpha1*s*l0", "r_v": "S",
@@ -99,6 +103,53 @@ def _inner_system() -> Entry:
         this.check("the scaled variables put into genSysXi to genSysLN", chain_rule),
         this.check(
             "the extended example through δ⁵, from its series in (t, ε) without the scaling", example, Rung.POINTS
+        ),
+    )
+
+
+def at_the_start(name: str, orders: int) -> fmpq_mpoly:
+    """A variable of the extended example at t = 0, as a series in δ, ε = δ³, by its series in (t, ε): not scaled."""
+    total, delta, chi = ALGEBRA.constant(0), _SYMBOLS["delta"], _SYMBOLS["chi"]
+    for (i, j), value in example_series(orders)[name].items():
+        if i == 0 and 3 * j < orders:
+            total += sum((a * chi**k for k, a in enumerate(value.coeffs())), start=ALGEBRA.constant(0)) * delta ** (
+                3 * j
+            )
+    return total
+
+
+def _scaled_start() -> Entry:
+    this = _claim("5-scaled-start")
+
+    def put_in(parts: Parts) -> list[fmpq_mpoly]:
+        scaled = {name: ALGEBRA.read(f"delta^{power}*{name}") for name, power in SCALING.items() if name != "xi"}
+        return [ALGEBRA.substitute(ALGEBRA.read(SYNCHRONISED[name]), scaled) - part for name, part in parts.items()]
+
+    def example(parts: Parts) -> list[fmpq_mpoly]:
+        orders = 9
+        terms = extended_terms(orders, chi=True)
+        found = []
+        for name, part in parts.items():
+            rows = enumerate(terms[name.lower()])
+            scaled = (ALGEBRA.bring(row[0]) * _SYMBOLS["delta"] ** n for n, row in rows if row)
+            images = {name: at_the_start(name.lower(), orders)}
+            images[name.lower()] = sum(scaled, start=ALGEBRA.constant(0))
+            rests = ALGEBRA.coefficients(ALGEBRA.substitute(part, images), "delta")
+            found += [value for power, value in rests.items() if power < orders]
+        return found or [ALGEBRA.constant(0)]
+
+    return SECTION.settled(
+        "5-scaled-start",
+        "eqs. specialInitialFirst to specialInitialFourth",
+        r"\mathcal P(\xi^*+\delta^2\tilde\xi)-\delta^2\tilde p=0,\ \ldots,\ "
+        r"\mathcal V(\xi^*+\delta^2\tilde\xi)-\delta^4\tilde v=0",
+        "The synchronisation of p, b, y, v at s = 0 becomes, in the scaled variables, specialInitialFirst to "
+        "specialInitialFourth",
+        this.check("the scaled variables put into genSysSynch", put_in),
+        this.check(
+            "the extended example at s = 0 through δ⁸: its series in (t, ε), and the terms of Theorem 1's recursion",
+            example,
+            Rung.POINTS,
         ),
     )
 
@@ -296,7 +347,8 @@ def _xinprime() -> Entry:
 
 
 ENTRIES: Builders = {
-    "5-inner-system": _inner_system, "5-orders": _orders, "5-third-order": _third_order,
+    "5-inner-system": _inner_system, "5-scaled-start": _scaled_start, "5-orders": _orders,
+    "5-third-order": _third_order,
     "5-monomial": _monomial, "5-step-3": _step_3, "5-xinprime": _xinprime,
 }  # fmt: skip
 """The inner scale and the recursion, in the order of the paper."""

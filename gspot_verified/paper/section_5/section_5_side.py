@@ -152,7 +152,8 @@ def _rule() -> Entry:
             "5-side, by another theorem: the families of the extended example, χ = 1, have these events",
             all_of(is_as_expected(amount) for amount in AMOUNTS),
         ),
-        note="ε_0 is not computed. That an impact is completed is not proved. Cases I and II are not covered.",
+        note="Not far from rest: hypothesis (R5) of the page. ε_0 is not computed. That an impact is completed is not "
+        "proved. Cases I and II are not covered.",
     )
 
 

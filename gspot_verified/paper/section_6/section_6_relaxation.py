@@ -1,7 +1,7 @@
 """Ledger of Section 6: how long the contact of the simulations relaxes, and the units of the oscillator.
 
-At fixed p the contact has the rates r/ε with r³ + 2r² + p r + p = 0 (3-oscillations): one real root x near -2 + p/4,
-and a pair with the real part -(2 + x)/2.
+At fixed p and b the contact has the rates r/ε with r³ + 2r² + p r + p = 0 (3-oscillations): one real root x near
+-2 + p/4, and a pair with the real part -(2 + x)/2.
 """
 
 from __future__ import annotations
@@ -84,8 +84,8 @@ def _relaxation() -> Entry:
         "6-relaxation",
         "lines 2202 to 2203",
         r"\text{relaxation of the }z\text{ dynamics takes about }10^{-3}",
-        "ε = 10^-6, p fixed at its value at the two starts: the oscillation of the contact falls by the factor 1000 "
-        "after 0.8 to 1.0 times 10^-3",
+        "ε = 10^-6, p and b fixed, p at its value at the two starts: the oscillation of the contact falls by the "
+        "factor 1000 after 0.8 to 1.0 times 10^-3",
         Rung.BALLS.check(
             "an enclosure of the roots at the p of the starts",
             lies_in(time, ABOUT),

@@ -9,8 +9,9 @@ from paper.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, uns
 from gspot_verified.paper.section_5 import section_5_recursion as ledger
 
 ENTRIES = ledger.ENTRIES
-INNER, ORDERS, THIRD, STEP_3 = (
-    ledger.PRINTED[identifier] for identifier in ("5-inner-system", "5-orders", "5-third-order", "5-step-3")
+INNER, START, ORDERS, THIRD, STEP_3 = (
+    ledger.PRINTED[identifier]
+    for identifier in ("5-inner-system", "5-scaled-start", "5-orders", "5-third-order", "5-step-3")
 )
 MONOMIAL, XI = ledger.CORRECTED["5-monomial"], ledger.CORRECTED["5-xinprime"]
 _SMALL = range(7)
@@ -32,6 +33,13 @@ TEETH: Teeth = {
         *(Bite("hidden factor", INNER, part, beyond_the_example) for part in INNER),
         *(Bite("hypothesis", ledger.SCALING, name, lambda power: power + 1) for name in ("b", "y", "v", "z")),
         *(Bite("order", INNER, part, raised("delta")) for part in INNER),
+    ),
+    "5-scaled-start": (
+        *(Bite("factor", START, part, scaled) for part in START),
+        *(Bite("hidden factor", START, part, lambda honest: f"(1 + delta^9)*({honest})") for part in START),
+        *(Bite("hypothesis", ledger.SCALING, name, lambda power: power + 1) for name in ("p", "b", "y", "v")),
+        Bite("hypothesis", ledger.SYNCHRONISED, "Y", lambda _: "Y - 2*y"),
+        *(Bite("order", START, part, raised("delta")) for part in START),
     ),
     "5-orders": (
         *(

@@ -43,6 +43,14 @@ def _section_5() -> list[Row]:
         tilde,
         *((part, 1397 + k, 1397 + k, 0, difference) for k, part in enumerate(lines)),
     )
+    start = CONSTANTS | {rf"\tilde{{{name}}}(0,\delta)": name for name in "pbyv"}
+    start |= {rf"\{name}{name.upper()}(\xi^*+\delta^2\tilde{{\xi}}(0,\delta))": name.upper() for name in "pbyv"}
+    found += rows(
+        "5-scaled-start",
+        recursion,
+        start,
+        *((part, 1415 + 2 * k, 1416 + 2 * k, 0, of_side(0)) for k, part in enumerate("PBYV")),
+    )
     orders, last = recursion["5-orders"], recursion["5-xinprime"]
     nth = CONSTANTS | {
         r"\lambda_n": "l0",
