@@ -199,6 +199,25 @@ def unsaid(claim: PaperClaim, statements: Mapping[str, str]) -> list[str]:
     ]
 
 
+MEAN = {"negative": "3-case-I-trivial", "positive": "2-trivial-contact"}
+"""The sign of the mean force, in Case I and in the others, and the entry on it."""
+
+
+def mean_without_an_entry(claim: PaperClaim) -> list[str]:
+    """The signs of the mean force that a claim speaks of without the entry that has them."""
+    found = re.findall(r"\bthe mean(?: force)? is (negative|positive)", f"{claim.words} {claim.why}")
+    return [sign for sign in found if MEAN[sign] not in claim.entries]
+
+
+def test_a_sign_of_the_mean_force_has_its_entry() -> None:
+    spoken = [claim for claim in paper_claims() if re.search(r"\bthe mean(?: force)? is ", claim.why)]
+    assert len(spoken) == 4
+    assert {claim.first: found for claim in spoken if (found := mean_without_an_entry(claim))} == {}
+    claim = PaperClaim(1, 1, "", "an impact", ("C-cases-I-II", "2-trivial-contact"), None, "the mean is negative")
+    assert mean_without_an_entry(claim) == ["negative"]
+    assert mean_without_an_entry(replace(claim, why="the mean force is positive")) == []
+
+
 def lacks_the_bridge(claim: PaperClaim) -> bool:
     """Whether a claim on a system in general rests on the leading order of the motivating example alone."""
     in_the_example = 714 <= claim.first < 1316  # Sections 3 and 4
