@@ -80,3 +80,6 @@ def test_pari_agrees_with_theta(digits: int) -> None:
         answer = ask(PARI, tau, HALF, digits, 120.0)
         assert answer.note == ""
         assert answer.right == digits
+        assert answer.first is not None
+        assert answer.again is not None
+        assert answer.first >= answer.again > 0  # its clock shows whole milliseconds
