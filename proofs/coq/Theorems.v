@@ -1,8 +1,8 @@
 (** * The theorems
 
     Each statement of [Statement.v], [StatementModels.v], [StatementCompliant.v], [StatementFlight.v],
-    [StatementStep.v], [StatementApproach.v], [StatementCertificate.v], [StatementChecker.v], [StatementForce.v] and
-    [StatementRun.v] is proved here under its own name, from the files named for the steps. *)
+    [StatementStep.v], [StatementApproach.v], [StatementPassage.v], [StatementCertificate.v], [StatementChecker.v],
+    [StatementForce.v] and [StatementRun.v] is proved here under its own name, from the files named for the steps. *)
 
 From Coq Require Import Reals Psatz Lra Lia ZArith List Sorted.
 From Coquelicot Require Import Coquelicot.
@@ -18,8 +18,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   CompliantCritical CertificateWalk CertificateFamily CertificatePieces CertificateForce CertificateSlow
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns DipSound.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep
-  ValidatedStep Events StatementApproach Capture SignOfC1 NegativeC1 StatementForce
-  ForceRuns StatementRun RunRuns Majorant.
+  ValidatedStep Events StatementApproach Capture SignOfC1 NegativeC1 StatementPassage PassageEquations PassageNorm
+  PassageForce PassageDrift StatementForce ForceRuns StatementRun RunRuns Majorant.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate
   StatementChecker.
 Import ListNotations.
@@ -822,6 +822,38 @@ Proof. exact SignOfC1.sign_of_the_limit. Qed.
 
 Theorem negative_C1 : StatementApproach.negative_C1.
 Proof. exact NegativeC1.negative_limit. Qed.
+
+(** ** From a state to a G-spot, for all eps at once *)
+
+Theorem good_coordinates : StatementPassage.good_coordinates.
+Proof. exact PassageEquations.good_coordinates. Qed.
+
+Theorem coordinates_determine : StatementPassage.coordinates_determine.
+Proof. exact PassageEquations.coordinates_determine. Qed.
+
+Theorem deviation_moves : StatementPassage.deviation_moves.
+Proof. exact PassageEquations.deviation_moves. Qed.
+
+Theorem shares : StatementPassage.shares.
+Proof. exact PassageNorm.shares. Qed.
+
+Theorem deviation_grows : StatementPassage.deviation_grows.
+Proof. exact PassageNorm.deviation_grows. Qed.
+
+Theorem ratio_grows : StatementPassage.ratio_grows.
+Proof. exact PassageNorm.ratio_grows. Qed.
+
+Theorem drift_of_C1 : StatementPassage.drift_of_C1.
+Proof. exact PassageNorm.drift_of_C1. Qed.
+
+Theorem passage : StatementPassage.passage.
+Proof. exact PassageForce.passage. Qed.
+
+Theorem passage_drift : StatementPassage.passage_drift.
+Proof. exact PassageDrift.passage_drift. Qed.
+
+Theorem start_ratio : StatementPassage.start_ratio.
+Proof. exact PassageNorm.start_ratio. Qed.
 
 (** ** Certificates *)
 

@@ -66,13 +66,14 @@ STATED_IN = (
     "StatementFlight",
     "StatementStep",
     "StatementApproach",
+    "StatementPassage",
     "StatementCertificate",
     "StatementChecker",
     "StatementForce",
     "StatementRun",
 )
 """The files of statements: Theta, boxes, the mechanism at every eps, after lift-off, steps, slip to a G-spot,
-certificates, checkers of these, a checker of runs."""
+from a state to the G-spot for all eps, certificates, checkers of these, a checker of runs."""
 READ = (*STATED_IN, "CertificateText", "ForceText", "RunScene", "RunText")
 """Who wants to know what is proved reads these."""
 BELIEVED = {

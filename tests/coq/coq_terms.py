@@ -24,6 +24,7 @@ STATEMENTS = [
         "StatementFlight",
         "StatementStep",
         "StatementApproach",
+        "StatementPassage",
         "StatementCertificate",
         "StatementChecker",
         "StatementForce",
