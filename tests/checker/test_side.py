@@ -1,6 +1,7 @@
 """The checker of lift-off and impact for all small ε: certificates that are right and wrong.
 
-Page: proofs/from_state.md, section 11. Its bounds stand beside other computations in test_side_pieces.py.
+Page: proofs/from_state.md, section 11. Its bounds stand beside other computations in test_side_pieces.py and
+test_side_sharp.py, the hypotheses of the growth in test_side_growth.py.
 """
 
 from __future__ import annotations
