@@ -23,13 +23,13 @@ def _digits() -> Iterator[None]:
 
 Values = dict[str, Any]
 GROWTH: Values = {
-    "rho": "9/10", "c": "13/10", "B": "21/5", "C": "18/5", "y_0": "1", "y_1": "21/20", "v_0": "3/2", "v_1": "31/20",
+    "rho": "9/10", "c": "13/10", "B": "21/5", "C": "18/5", "y_0": "9/10", "y_1": "19/20", "v_0": "3/2", "v_1": "31/20",
     "N_0": "7/2", "N_1": "4", "fast": "9/200", "s": "3", "top": "9", "by": "9", "reaches": "0", "b": "-3",
 }  # fmt: skip
 LOW: Values = {"y_0": "2/5", "y_1": "21/50", "v_1": "8/5", "top": "3", "fast": "1/50"}
 HYPOTHESES: list[tuple[str, str, str, Values, str]] = [
     # What it is, what is moved beyond its edge, how far, what else is changed, and what is said there.
-    ("V > ρY", "rho", "3/2", {"c": "19/10"}, "V does not lie in the cone"),
+    ("V > ρY", "rho", "8/5", {"c": "2"}, "V does not lie in the cone"),
     ("V < BY", "v_1", "9/5", LOW, "V does not lie in the cone"),
     ("N > cV", "N_0", "2", {}, "N does not lie in the cone"),
     ("N < CV", "N_1", "6", {}, "N does not lie in the cone"),
@@ -39,7 +39,7 @@ HYPOTHESES: list[tuple[str, str, str, Values, str]] = [
     ("G2", "c", "9/4", {}, r"\(G2\)"),
     ("G3", "B", "37/10", {}, r"\(G3\)"),
     ("G4", "C", "3", {}, r"\(G4\)"),
-    ("G7", "rho", "2/5", {"b": "-90", "top": "22", "c": "3/4", "rho": "1/2"}, r"\(G7\)"),
+    ("G7", "rho", "2/5", {"b": "-90", "top": "20", "c": "3/4", "rho": "1/2"}, r"\(G7\)"),
     ("force", "top", "11/20", {}, "not followed to the force"),
     ("force", "top", "1", {"reaches": "3"}, "not followed to the force"),
     ("by", "by", "1/10", {}, "later than is stated"),
@@ -128,7 +128,7 @@ def test_a_deviation_without_a_certain_sign_does_not_grow(low: int) -> None:
 
 EXACT: list[tuple[str, str, Values]] = [
     # What it is, in which number it is affine, what else is changed.
-    ("V > ρY", "rho", {"c": "19/10"}),
+    ("V > ρY", "rho", {"c": "2"}),
     ("V < BY", "v_1", LOW),
     ("N > cV", "N_0", {}),
     ("N < CV", "N_1", {}),

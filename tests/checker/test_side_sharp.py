@@ -1,6 +1,6 @@
 """The checker of lift-off and impact where nothing is small: each term of a bound, each hypothesis at its edge.
 
-Page: proofs/from_state.md, sections 5 and 11, transcribed a second time in floating-point numbers of 60 digits. In the
+Page: proofs/from_state.md, sections 5 and 11, transcribed a second time in floating-point numbers of 90 digits. In the
 shipped certificate the fast part is so small that a term of it could be left out unnoticed; here it is not.
 """
 
@@ -32,7 +32,7 @@ LAZY = {"least": "1/12", "most": "1/8", "contact": ("1", "4", "6")}  # l/g > 1: 
 
 @pytest.fixture(autouse=True)
 def _digits() -> Iterator[None]:
-    with mpmath.workdps(60):
+    with mpmath.workdps(90):
         yield
 
 
@@ -62,7 +62,7 @@ def made(
             "epsilon": str(Fraction(most) ** 3),
             "kind": "passage",
             "p": "4/3",
-            "scaled": "7/4",
+            "scaled": "9/5",
             "within": "1/100",
         }
     )
@@ -106,13 +106,16 @@ class Page:
         self.r = mpmath.sqrt(self.a * self.S) * self.delta
 
     def value(self, name: str, h: mpf, r: mpf) -> mpf:
-        return sum((real(c) * h**i * r**n for i, n, c in SLOW[name]), mpf(0))
+        terms = passage.monomials(getattr(self.of.passed.slow, name)).items()
+        return sum((real(c) * h**i * r**n for (i, n), c in terms), mpf(0))
 
     def z(self) -> mpf:
         """Z + I at the hand-over."""
         passed, p, e = self.of.passed, self.a * self.S * self.delta**2, self.a * self.delta**3
         layer = (self.p / p) ** real(passed.rate) * mpmath.exp(-real(passed.damping) * (self.p**2 - p**2) / (2 * e))
-        return sum((real(c) * self.h**i * self.r**n for (i, n), c in BARRIER.items()), real(passed.first) * layer)
+        return sum(
+            (real(c) * self.h**i * self.r**n for (i, n), c in passed.barrier.items()), real(passed.first) * layer
+        )
 
     def handed(self, x: tuple[int, int, int], z: mpf) -> tuple[list[mpf], mpf]:
         """(13) over L(S), where the parts of the fast deviation have these signs: e_b, e_y, e_v and φ."""
@@ -155,17 +158,22 @@ def test_the_set_of_the_hand_over_is_that_of_the_page_and_no_larger(given: Any) 
     assert farthest[0] - CLOSE <= radii[0] <= CLOSE
 
 
+@pytest.mark.parametrize("quiet", [True, False])
 @pytest.mark.parametrize("given", [{"least": "1/4"}, LAZY])
 @pytest.mark.parametrize("share", ["3/4", "7/8", "1"])
-def test_the_set_of_the_hand_over_holds_that_of_every_delta(given: Any, share: str) -> None:
+def test_the_set_of_the_hand_over_holds_that_of_every_delta(given: Any, share: str, quiet: bool) -> None:
+    """Where nothing is fast, and v and f are 0, it is w alone that moves with δ."""
     of = made(**given)
+    if quiet:
+        slow = SimpleNamespace(v=passage.NOTHING, w=of.passed.slow.w, f=passage.NOTHING)
+        of = of._replace(passed=of.passed._replace(slow=slow, barrier={}, first=Fraction(0)))
     page, found = Page(of, of.most * Fraction(share)), side.handed_over(numbers(), of)
     basis = mpmath.matrix([units(row) for row in found.basis])
     for signs in SIGNS:
         e, phi = page.handed(signs, page.z())
         u = mpmath.lu_solve(basis, mpmath.matrix(e))
         for value, centre, radius in zip(u, units(found.centre), units(found.radii), strict=True):
-            assert abs(value - centre) <= radius + CLOSE
+            assert abs(value - centre) <= radius
         assert abs(phi) <= mpf(found.burst) / ONE
 
 
@@ -246,7 +254,7 @@ def test_the_force_stays_positive_on_each_piece_for_the_largest_amplitude(
 
 
 @pytest.mark.parametrize("given", [{"least": "7/24"}, LAZY])
-@pytest.mark.parametrize("begin", [Fraction(-7, 4), Fraction(3, 2)])
+@pytest.mark.parametrize("begin", [Fraction(-9, 5), Fraction(3, 2)])
 def test_what_is_reached_on_a_piece_is_no_less_than_theorem_u1_says(
     monkeypatch: pytest.MonkeyPatch, begin: Fraction, given: Any
 ) -> None:
@@ -313,7 +321,7 @@ def test_what_is_reached_on_a_piece_is_no_less_than_theorem_u1_says(
 
 
 @pytest.mark.parametrize("given", [{"least": "1/4"}, LAZY])
-@pytest.mark.parametrize("s", [Fraction(-7, 4), Fraction(3, 2)])
+@pytest.mark.parametrize("s", [Fraction(-9, 5), Fraction(3, 2)])
 def test_the_equations_are_those_of_the_page_for_every_delta_of_a_range(given: Any, s: Fraction) -> None:
     """A'Y - Y' for A' of (19), in exact rationals; the parts of (3) and of f, each by itself."""
     of, t, longest = made(**given), Fraction(1, 30), Fraction(1, 20)
@@ -387,16 +395,13 @@ def test_roots_and_ranges_are_rounded_outward() -> None:
 
 @pytest.mark.parametrize("fed", ["1/9", "5"])
 @pytest.mark.parametrize("centre", [(2, -1, 1), (-2, 1, 0)])
+@pytest.mark.parametrize("second", [("3", "1/2", "-1"), ("0", "0", "0")])
 def test_what_is_reached_on_a_piece_is_the_left_side_of_the_inequality(
-    monkeypatch: pytest.MonkeyPatch, fed: str, centre: tuple[int, int, int]
+    monkeypatch: pytest.MonkeyPatch, fed: str, centre: tuple[int, int, int], second: tuple[str, str, str]
 ) -> None:
-    """(c) with matrices that are chosen, so that each of its terms is known and none is small."""
+    """(c) with matrices that are chosen, so that each of its terms is known; a component may be bounded at once."""
     of, begin, length = made(), Fraction(-1), Fraction(1, 20)
-    N = [
-        [Fraction(1), Fraction(-2), Fraction(0)],
-        [Fraction(3), Fraction(1, 2), Fraction(-1)],
-        [Fraction(-1), Fraction(2), Fraction(1)],
-    ]
+    N = [[Fraction(v) for v in row] for row in (("1", "-2", "0"), second, ("-1", "2", "1"))]
     seen = list[Any]()
     unit = [[ONE * (i == j) for j in range(3)] for i in range(3)]
 
@@ -437,7 +442,7 @@ def test_what_is_reached_on_a_piece_is_the_left_side_of_the_inequality(
     reached = [Fraction(value, ONE) for value in piece.after.radii]
     above = left([value * Fraction(107, 100) + Fraction(1, 10**9) for value in reached])
     for value, least, most in zip(reached, left(reached), above, strict=True):
-        assert least < value < most
+        assert least <= value <= most
         assert most - least < Fraction(1, 30)
     (e, _) = seen[-1]
     lag = start.lag / start.rate * of.most
@@ -451,3 +456,18 @@ def test_what_is_reached_on_a_piece_is_the_left_side_of_the_inequality(
     flow, beyond = equations.flow(begin)
     time = (0, numbers().interval(length)[1])
     assert seen[0][:2] == (side.on_all(numbers(), beyond, time), side.on_all(numbers(), flow, time))
+
+
+@pytest.mark.parametrize("rest", ["0", "1"])
+def test_a_bound_that_is_only_met_is_not_enough(monkeypatch: pytest.MonkeyPatch, rest: str) -> None:
+    """Theorem U1 wants its left side below the guess: if it never is, but equal or larger, the piece is refused."""
+    of = made()
+    unit = [[ONE * (i == j) for j in range(3)] for i in range(3)]
+    state = side.Deviations(unit, [ONE, 0, 0], [ONE // 8] * 3, 0, 0)
+    monkeypatch.setattr(side, "larger", lambda bound: bound)
+    monkeypatch.setattr(side.Equations, "fed", lambda *_: 0)
+    nothing = [[(0, 0)] * 3 for _ in range(3)]
+    nothing[1][1] = (0, int(rest))
+    monkeypatch.setattr(side.Equations, "defect", lambda *_: nothing)
+    with pytest.raises(check.limits.Rejected, match="the inequality of Theorem U1 is not satisfied"):
+        side.Equations(numbers(), of).advance(state, Fraction(0), Fraction(1, 20))
