@@ -25,6 +25,7 @@ Values = dict[str, Any]
 GROWTH: Values = {
     "rho": "9/10", "c": "13/10", "B": "21/5", "C": "18/5", "y_0": "9/10", "y_1": "19/20", "v_0": "3/2", "v_1": "31/20",
     "N_0": "7/2", "N_1": "4", "fast": "9/200", "s": "3", "top": "9", "by": "9", "reaches": "0", "b": "-3",
+    "k_1": "3", "k_2": "2", "damper": "1/2",
 }  # fmt: skip
 LOW: Values = {"y_0": "2/5", "y_1": "21/50", "v_1": "8/5", "top": "3", "fast": "1/50"}
 HYPOTHESES: list[tuple[str, str, str, Values, str]] = [
@@ -40,6 +41,7 @@ HYPOTHESES: list[tuple[str, str, str, Values, str]] = [
     ("G3", "B", "37/10", {}, r"\(G3\)"),
     ("G4", "C", "3", {}, r"\(G4\)"),
     ("G7", "rho", "2/5", {"b": "-90", "top": "20", "c": "3/4", "rho": "1/2"}, r"\(G7\)"),
+    ("φ falls", "damper", "20000", {"k_1": "1000", "k_2": "6/5", "damper": "10000"}, r"\(G7\)"),
     ("force", "top", "11/20", {}, "not followed to the force"),
     ("force", "top", "1", {"reaches": "3"}, "not followed to the force"),
     ("by", "by", "1/10", {}, "later than is stated"),
@@ -49,7 +51,8 @@ HYPOTHESES: list[tuple[str, str, str, Values, str]] = [
 def grown(values: Values) -> tuple[Any, Any, Any, list[Fraction]]:
     """The statement, a range, a piece and a cone of these numbers; the deviation is as for a force that falls."""
     cone = [Fraction(values[name]) for name in ("rho", "c", "B", "C")]
-    of = made(b=values["b"], end=Fraction(values["s"]), top=Fraction(values["top"]))
+    contact = tuple(str(values[name]) for name in ("k_1", "k_2", "damper"))
+    of = made(b=values["b"], contact=contact, end=Fraction(values["s"]), top=Fraction(values["top"]))
     kappa_q = of.start.kappa * of.start.a * of.end
     y, v, N = ([Fraction(values[f"{name}_{k}"]) for k in (0, 1)] for name in ("y", "v", "N"))
     b = [one - kappa_q * two for one, two in zip(N, y, strict=True)]
@@ -83,6 +86,7 @@ def margins(
         "G3": B - C - pi,
         "G4": C * (C - pi) - page.kappa * most - nu,
         "G7": rho * last - 2 * (page.beta - 1),
+        "φ falls": (page.g - page.l / page.g * page.delta**2 * page.a * page.S) * (to(of.end) + page.S) - page.delta,
         "force": (page.kappa - phi * B) * top - force,
         "by": to(statement.by) - page.delta**2 * last,
     }

@@ -49,7 +49,7 @@ def made(
     least: str = "1/3",
     most: str = "1/3",
     b: str = "-3",
-    contact: tuple[str, str, str] = ("3", "2", "1/2"),
+    contact: tuple[str, ...] = ("3", "2", "1/2"),
     **changed: Any,
 ) -> Any:
     """A range with every number of its own; its passage is one that nobody has checked."""
