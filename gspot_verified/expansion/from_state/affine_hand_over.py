@@ -1,18 +1,22 @@
 """The set of deviations that Theorem B' hands over to Theorem U1 at s = -S, for all delta of a range.
 
 Proof page: ``proofs/from_state.md``, section 8. The reference of the tube and the polynomials of Theorem 1 are compared
-exactly, as polynomials in delta.
+as polynomials in delta: exactly, or by Lemma T in balls.
 """
 
 from __future__ import annotations
 
-from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb, arb_poly, fmpq, fmpq_poly
 
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, carried, power_of
+from gspot_verified.expansion.from_state.analytic import Polynomial
 from gspot_verified.expansion.from_state.hand_over import Beside, HandOver, framed
 from gspot_verified.expansion.from_state.slow_manifold import H, R, SlowManifold, excess_terms, still_terms
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.numbers.balls import add_remainder, ball
+from gspot_verified.numbers.balls import Exact, add_remainder, ball
 from gspot_verified.numbers.evidence import less
 
 _DELTA = fmpq_poly([0, 1])
@@ -29,7 +33,7 @@ def affine_hand_over(
     if not a * equations.exact_delta**3 <= tube.start.e:
         raise ValueError("the tube is for larger epsilon only")
     scaled = equations.expansion("p", ball(-place))
-    if less(ball(a**2), ball(tube.rectangle.h**2) * scaled**3) is None:
+    if less(ball(a) ** 2, ball(tube.rectangle.h**2) * scaled**3) is None:
         return "the tube ends before the hand-over"
     if less(scaled * equations.delta**2, ball(given.p)) is None:
         return "the start lies after the hand-over"
@@ -46,7 +50,7 @@ def affine_hand_over(
     return framed(equations, manifold.beta, slow, tube.shares, z, coefficient, scaled=scaled, beside=beside)
 
 
-def _over_excess(polynomial: fmpq_mpoly, h: arb, r: arb, excess: arb) -> arb:
+def _over_excess(polynomial: Polynomial, h: arb, r: arb, excess: arb) -> arb:
     """The terms with L, over L."""
     terms = ((i, n, k - 1, value) for (i, n, k), value in excess_terms(polynomial).items() if k)
     return sum((ball(value) * h**i * r**n * excess**k for i, n, k, value in terms), arb(0))
@@ -54,8 +58,12 @@ def _over_excess(polynomial: fmpq_mpoly, h: arb, r: arb, excess: arb) -> arb:
 
 def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) -> Beside | None:
     """Reference minus polynomials at s = -``place``; None unless they are polynomials in delta with orders >= mu."""
+    exact, mu = manifold.system.is_exact, manifold.mu
+    cut, order = manifold.cut, equations.trajectory.order
+    if not (exact or (3 * cut.order >= mu + 1 and order >= mu + 1 and cut.weight + cut.mu >= mu)):
+        return None  # beside Lemma T
     known = {
-        name: fmpq_poly([fmpq_poly(term.coefficients())(-place) for term in terms])
+        name: _polynomial([term(fmpq(-place) if exact else ball(-place)) for term in terms])
         for name, terms in equations.trajectory.terms().items()
     }
     kappa, lag = manifold.contact.kappa, manifold.contact.lag / manifold.contact.rate
@@ -65,16 +73,16 @@ def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) 
         (-R * R * manifold.force, square * known["b"], 2),
         ((fast - force - lag * speed) / kappa, known["y"], 0),
         (speed, _DELTA * known["v"], 1),
-        (fast, known["lambda_n"] + kappa * known["y"] + lag * _DELTA * known["v"], 0),
+        (fast, known["lambda_n"] + known["y"] * kappa + _DELTA * known["v"] * lag, 0),
     )
     p = square * known["p"]
     sizes = list[arb | None]()
     for reference, polynomial, unit in compared:
-        exact = _in_delta(reference, p, manifold.system.a)
-        sizes.append(None if exact is None else _over(equations, exact - polynomial, manifold.mu + unit))
+        of_delta = _in_delta(reference, p, manifold.system.a)
+        sizes.append(None if of_delta is None else _over(equations, of_delta - polynomial, mu + unit))
     own = (known["p"], known["b"], square * square * known["y"], square * known["v"])
     for i, value in enumerate(own):
-        sizes.append(_over(equations, value - known[f"xi_{i + 1}"], manifold.mu))
+        sizes.append(_over(equations, value - known[f"xi_{i + 1}"], mu))
     found = [one for one in sizes if one is not None]
     if len(found) < len(sizes):
         return None
@@ -82,24 +90,36 @@ def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) 
     return Beside(b, y, v, phi, (first, second, third, fourth))
 
 
-def _in_delta(polynomial: fmpq_mpoly, p: fmpq_poly, a: fmpq) -> fmpq_poly | None:
+def _polynomial(values: Sequence[Exact]) -> Any:
+    """In delta; exact where the coefficients are."""
+    exact = [value for value in values if isinstance(value, fmpq)]
+    return fmpq_poly(exact) if len(exact) == len(values) else arb_poly([ball(value) for value in values])
+
+
+def _in_delta(polynomial: Polynomial, p: Any, a: Exact) -> Any:
     """The polynomial at L = 0, where e = a delta^3 and p are polynomials in delta; None if it is none in p and e."""
-    total = fmpq_poly([0])
+    total: Any = fmpq_poly([0])
     for (i, n), value in still_terms(polynomial).items():
         power, odd = divmod(n - 3 * i, 2)  # h^i r^n = e^i p^((n - 3 i)/2)
-        if power < 0 or odd:
+        if odd or (power < 0 and not _vanishes(value)):
             return None
-        total += value * (a * _DELTA**3) ** i * p**power
+        if power >= 0:
+            total = total + _polynomial([*[fmpq(0)] * (3 * i), value * a**i]) * p**power
     return total
 
 
-def _over(equations: DeviationEquations, polynomial: fmpq_poly, power: fmpq) -> arb | None:
+def _vanishes(value: Exact) -> bool:
+    """Whether a number may be 0, and so is it where Lemma T says it."""
+    return bool(value == 0) if isinstance(value, fmpq) else bool(value.contains(0))
+
+
+def _over(equations: DeviationEquations, polynomial: Any, power: Exact) -> arb | None:
     """0 +- a bound of the polynomial over delta^power for all delta of the range; None if an order is below."""
     total = arb(0)
-    for n, value in enumerate(polynomial.coeffs()):
-        if value == 0:
-            continue
-        if not n >= power:
+    coefficients: list[Exact] = list(polynomial.coeffs())
+    for n, value in enumerate(coefficients):
+        if n >= power:
+            total += abs(ball(value)).upper() * equations.delta ** ball(n - power)
+        elif not (n < power and _vanishes(value)):
             return None
-        total += abs(ball(value)) * equations.delta ** ball(n - power)
     return add_remainder(arb(0), total.upper())

@@ -16,7 +16,7 @@ from flint import fmpq
 from gspot_verified.expansion.from_state.affine_hand_over import affine_hand_over
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, Sums, affine_tube
-from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan, affine_plans, reach_for
+from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan, affine_plans, near, reach_for
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth
 from gspot_verified.expansion.from_state.hand_over import HandOver
 from gspot_verified.expansion.from_state.passage import checked_ratio, rounded_up
@@ -29,8 +29,8 @@ from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.side import end_of_track
 from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end, joined
 from gspot_verified.expansion.true_solutions.track import track
-from gspot_verified.numbers.balls import ExactInput, ball, ball_text, working_bits
-from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, working_bits
+from gspot_verified.numbers.evidence import differ, every
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -38,7 +38,10 @@ _ORDER = 10  # of the expansion
 _RATIOS = (fmpq(21, 20), fmpq(6, 5), fmpq(2))  # nu: how far C_1 may move on the way; any number above 1 is right
 _WEIGHT = 8  # J: up to which powers of r the slow manifold is right; any is allowed
 _FINER = 8  # from level to level of the delta for which residuals are bounded
+_FINE_BITS = 256  # of a slow manifold in balls, lost in its rounds
+_DIGITS = 30  # of an expansion in balls
 _LEAST_ORDER = 1  # of a slow manifold: L_0 is the same with each
+_FINENESS = 2**64  # e is rounded to multiples of 1/_FINENESS
 _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 
 
@@ -78,25 +81,27 @@ def affine_side(
     :raises ValueError: beta is an integer or above 30; p is not positive, ``within`` negative, ``force`` at most 1; L =
         0; an argument is not rational; the contact has no damper.
     """
-    checked_ratio(system.beta)
+    checked_ratio(near(system.beta))
     start = AffineStart(_manifold(system, _LEAST_ORDER), rational(p, "p"), rational(b, "b"), rational(within, "within"))
     factor = rational(force, "force")
     if not (start.p > 0 and start.within >= 0 and factor > 1):
         raise ValueError("p must be positive, within not negative, force above 1")
-    if start.excess == 0:
-        raise ValueError("b is that of the reference: nothing decides the side")
     with working_bits(BITS):
+        if differ(start.excess, 0) is None:
+            raise ValueError("b is, or may be, that of the reference: nothing decides the side")
         return _side(start, factor)
 
 
 @cache
 def _manifold(system: AffineSystem, order: int) -> SlowManifold:
-    return slow_manifold(system, Cut(order, fmpq(_WEIGHT), 2 * system.beta - 2))
+    with working_bits(_FINE_BITS):
+        return slow_manifold(system, Cut(order, fmpq(_WEIGHT), 2 * near(system.beta) - 2))
 
 
 def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     system = start.manifold.system
-    trajectory = expand_system(system.system(), max(_ORDER, 2 * int(system.beta.p // system.beta.q) + 8))
+    order = max(_ORDER, 2 * int(near(system.beta).floor()) + 8)
+    trajectory = expand_system(system.system(), order, _DIGITS)
     residuals, prepared = dict[fmpq, Residuals](), list(_prepared(start))
 
     def follow(least: fmpq, most: fmpq) -> SideEnd | str:
@@ -118,7 +123,7 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     if ends[0].side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        after = f"after that it stays so until it exceeds {factor * system.mean_force}; p < 0 there"
+        after = f"after that it stays so until it exceeds {_text(factor * system.mean_force)}; p < 0 there"
         side, statement = "impact", f"{before}; {after}"
     return AffineSide(start, epsilon, side, Verdict.proved(statement, shown))
 
@@ -146,11 +151,11 @@ class _Prepared:
 def _prepared(start: AffineStart) -> Iterator[_Prepared]:
     """For each norm the sharpest rate that is shown."""
     system = start.manifold.system
-    for choices in affine_plans(system.beta, system.a, start.manifold.contact):
+    for choices in affine_plans(near(system.beta), system.a, start.manifold.contact):
         for plan in choices:
             manifold = _manifold(system, plan.order)
             norm = Norm(manifold, plan.k_1, plan.k_2)
-            reach = (1 / ball(system.a * plan.place**3)).sqrt() * ball(_BEYOND)
+            reach = (1 / (ball(system.a) * plan.place**3)).sqrt() * ball(_BEYOND)
             rectangle = Rectangle(rounded_up(reach), rounded_up(ball(start.p).sqrt()))
             growth = fast_growth(norm, rectangle, plan.growth, plan.damping)
             if growth.evidence is not None or plan is choices[-1]:
@@ -164,7 +169,7 @@ def _followed(
     """From p_1 to the end, for all delta of the equations, or what the last plan failed by."""
     failed = list[str]()
     for one in prepared:
-        passed = _tube(start, one, start.manifold.system.a * equations.exact_delta**3)
+        passed = _tube(start, one, largest_e(start.manifold.system.a, equations.exact_delta))
         if isinstance(passed, str):
             failed.append(f"Theorem B': {passed}")
             continue
@@ -196,12 +201,11 @@ def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
 def _ended(
     start: AffineStart, equations: DeviationEquations, factor: fmpq, handed: HandOver, place: fmpq
 ) -> SideEnd | str:
-    beta = start.manifold.beta
     tracked = track(
         equations,
-        2 * (beta - 1),
+        start.manifold.mu,
         -place,
-        end_of_track(equations, reach_for(beta)),
+        end_of_track(equations, reach_for(near(start.manifold.beta))),
         centre=handed.centre,
         radii=handed.radii,
         fast=handed.fast,
@@ -212,6 +216,15 @@ def _ended(
         return end
     reached = tracked.pieces[-1].end if tracked.pieces else -place
     return f"Theorems U1, U2: no end is certain up to s = {reached}; z <= {ball_text(handed.z, 3)} at s = -{place}"
+
+
+def largest_e(a: Exact, delta: fmpq) -> fmpq:
+    """a delta^3, or a rational number above it."""
+    return a * delta**3 if isinstance(a, fmpq) else rounded_up(a * delta**3, _FINENESS)
+
+
+def _text(value: Exact) -> str:
+    return str(value) if isinstance(value, fmpq) else ball_text(value)
 
 
 def _system_text(system: AffineSystem) -> str:
@@ -227,5 +240,5 @@ def states_text(start: AffineStart) -> str:
     return (
         f"every start in contact at p = {start.p}, b = {start.b} with |lambda_N + b/p| <= {start.within} |L|, "
         f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {start.within} sqrt(p) |L|, "
-        f"L = {start.excess}, {Contact.of(start.manifold.system.regularisation).fast_text}"
+        f"L = {_text(start.excess)}, {Contact.of(start.manifold.system.regularisation).fast_text}"
     )

@@ -1,6 +1,6 @@
 """Systems whose alpha_1, alpha_2, alpha_3 are functions of p and b, affine or analytic: the numbers of their G-spot.
 
-Proof page: ``proofs/from_state.md``, section 8. Exact rationals; the state is (p, b, y, v).
+Proof page: ``proofs/from_state.md``, section 8. Exact rationals, or balls; the state is (p, b, y, v).
 """
 
 from __future__ import annotations
@@ -9,11 +9,13 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq, fmpq_mpoly
 
-from gspot_verified.expansion.from_state.analytic import Analytic
+from gspot_verified.expansion.from_state.analytic import Analytic, Polynomial
 from gspot_verified.expansion.from_state.barrier import Monomials
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.series.system import System
 from gspot_verified.functions.expressions import Constant, Expression, Variable
+from gspot_verified.functions.rings import BALLS, RATIONALS
+from gspot_verified.numbers.balls import Exact
 
 _ZERO = fmpq(0)  # of a slope that is not given
 
@@ -26,9 +28,15 @@ class Affine:
     by_p: fmpq = _ZERO
     by_b: fmpq = _ZERO
 
-    def at(self, p: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-        """Its value where p and b are polynomials."""
-        return self.value + self.by_p * p + self.by_b * b
+    def above(self, p: fmpq_mpoly, b: Polynomial) -> Polynomial:
+        """What it is above ``value`` where p and b are polynomials."""
+        above: Polynomial = self.by_b * b + self.by_p * p
+        return above
+
+    @property
+    def is_exact(self) -> bool:
+        """Its numbers are rational."""
+        return True
 
     @property
     def expression(self) -> Expression:
@@ -65,21 +73,26 @@ class AffineSystem:
     def __post_init__(self) -> None:
         if not (self.alpha_1.value < 0 and self.alpha_2.value < 0):
             raise ValueError("alpha_1 and alpha_2 must be negative at the G-spot: else the mean force is not positive")
-        if not self.beta > 1 or self.beta.q == 1:
+        if not self.beta > 1 or holds_integer(self.beta):
             raise ValueError(f"beta must be above 1 and no integer, got {self.beta}")
 
     @property
-    def a(self) -> fmpq:
+    def is_exact(self) -> bool:
+        """Whether the polynomials of all alphas are."""
+        return self.alpha_1.is_exact and self.alpha_2.is_exact and self.alpha_3.is_exact
+
+    @property
+    def a(self) -> Exact:
         """-alpha_1 at the G-spot."""
         return -self.alpha_1.value
 
     @property
-    def beta(self) -> fmpq:
+    def beta(self) -> Exact:
         """alpha_3/alpha_1 at the G-spot."""
         return self.alpha_3.value / self.alpha_1.value
 
     @property
-    def mean_force(self) -> fmpq:
+    def mean_force(self) -> Exact:
         """lambda_N at the G-spot on the distinguished trajectory."""
         return self.alpha_2.value / (self.alpha_3.value - self.alpha_1.value)
 
@@ -100,7 +113,13 @@ class AffineSystem:
             alpha_2=second,
             alpha_3=third,
             J=(),
-            point=(fmpq(0),) * 4,
+            point=((fmpq(0) if self.is_exact else arb(0)),) * 4,
+            ring=RATIONALS if self.is_exact else BALLS,
             state=("p", "b", "y", "v"),
             regularisation=self.regularisation,
         )
+
+
+def holds_integer(value: Exact) -> bool:
+    """Whether it is, or may be, an integer."""
+    return bool(value.q == 1) if isinstance(value, fmpq) else bool(value.contains_integer())

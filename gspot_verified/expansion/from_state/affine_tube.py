@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from flint import arb, fmpq, fmpq_mpoly
+from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.analytic import NoTaylorError
+from gspot_verified.expansion.from_state.analytic import NoTaylorError, Polynomial
 from gspot_verified.expansion.from_state.barrier import (
     Exponents,
     Monomials,
@@ -24,6 +24,7 @@ from gspot_verified.expansion.from_state.barrier import (
     value_of,
 )
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
+from gspot_verified.expansion.from_state.passage import rounded_up
 from gspot_verified.expansion.from_state.slow_manifold import (
     RING,
     H,
@@ -32,15 +33,19 @@ from gspot_verified.expansion.from_state.slow_manifold import (
     SlowManifold,
     excess_terms,
     level,
+    moving,
     still,
     still_terms,
 )
 from gspot_verified.expansion.from_state.slow_series import H as LEVEL_H
 from gspot_verified.expansion.from_state.slow_series import R as LEVEL_R
 from gspot_verified.expansion.from_state.slow_series import change, terms_of
-from gspot_verified.numbers.balls import add_remainder, ball, hull
-from gspot_verified.numbers.evidence import every, less
+from gspot_verified.functions.ball_polynomials import constant, polynomial_of
+from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull
+from gspot_verified.numbers.evidence import differ, every, less
 from gspot_verified.numbers.verdict import Evidence
+
+_FINE = 2**100  # exponents that hold mu are rounded to multiples of 1/_FINE
 
 
 @dataclass(frozen=True)
@@ -53,26 +58,29 @@ class AffineStart:
     within: fmpq
 
     @property
-    def excess(self) -> fmpq:
+    def excess(self) -> Exact:
         """L_0 = -b/p - the reference force at epsilon = 0."""
         left = {n // 2: value for (i, n), value in still_terms(self.manifold.force).items() if i == 0}
-        return -self.b / self.p - sum((value * self.p**power for power, value in left.items()), fmpq(0))
+        rigid: Exact = -self.b / self.p
+        for power, value in left.items():
+            rigid = rigid - value * self.p**power
+        return rigid
 
     def excess_up_to(self, e: fmpq) -> arb:
         """L for every e up to this one."""
         terms = still_terms(self.manifold.force).items()
-        late: Monomials = {key: ball(abs(value)) for key, value in terms if key[0] > 0}
+        late: Monomials = {key: abs(ball(value)).upper() for key, value in terms if key[0] > 0}
         root = ball(self.p).sqrt()
         return add_remainder(ball(self.excess), value_of(late, ball(e) / root**3, root))
 
     def coefficient(self, e: fmpq) -> arb:
         """C = -L p^(1 - beta) at the start, for every e up to this one."""
-        return -self.excess_up_to(e) * ball(self.p) ** ball(1 - self.manifold.beta)
+        return -self.excess_up_to(e) * ball(self.p) ** (1 - ball(self.manifold.beta))
 
     def size(self, e: fmpq) -> arb:
         """z at the start, for every e up to this one."""
         manifold, root, excess = self.manifold, ball(self.p).sqrt(), abs(self.excess_up_to(e))
-        bounds = ExcessBounds(fmpq(0), excess.upper(), excess.lower())
+        bounds = ExcessBounds(fmpq(0), fmpq(0), excess.upper(), excess.lower())
         total = 3 * ball(self.within) * abs(ball(self.excess)) / excess
         for length, one in zip(lengths(manifold), (H * manifold.u, manifold.w, R * manifold.f), strict=True):
             total += length * value_of(bounds.of(one, 1), ball(e) / root**3, root)
@@ -81,21 +89,30 @@ class AffineStart:
 
 @dataclass(frozen=True)
 class ExcessBounds:
-    """``least`` r^mu <= \\|L\\| <= ``largest`` r^mu."""
+    """``least`` r^high <= \\|L\\| <= ``largest`` r^low, where low <= mu <= high."""
 
-    mu: fmpq
+    low: fmpq
+    high: fmpq
     largest: arb
     least: arb
 
-    def of(self, polynomial: fmpq_mpoly, over: int = 0, side: int = 0) -> Monomials:
+    @classmethod
+    def around(cls, mu: Exact, largest: arb, least: arb) -> ExcessBounds:
+        """``least`` r^mu <= \\|L\\| <= ``largest`` r^mu; where mu is a ball r is at most 1."""
+        if isinstance(mu, fmpq):
+            return cls(mu, mu, largest, least)
+        return cls(-rounded_up(-mu, _FINE), rounded_up(mu, _FINE), largest, least)
+
+    def of(self, polynomial: Polynomial, over: int = 0, side: int = 0) -> Monomials:
         """Bounds of the terms of the polynomial over L^over, where one may have both signs; but with a ``side`` those
         free of L count only if they have its sign."""
         total: Monomials = {}
         for (i, n, k), value in excess_terms(polynomial).items():
             power = k - over
-            if power != 0 or value * side >= 0:
-                size = (self.largest if power > 0 else self.least) ** power
-                added(total, {(i, n + power * self.mu): size}, abs(value))
+            if power == 0 and value * side < 0:
+                continue
+            size, exponent = (self.largest, self.low) if power > 0 else (self.least, self.high)
+            added(total, {(i, n + power * exponent): size**power}, abs(ball(value)).upper())
         return total
 
 
@@ -143,6 +160,8 @@ def affine_tube(
         raise ValueError("p_1 must be at most r^2 of the rectangle, and e positive")
     if norm.series != manifold:
         raise ValueError("the norm is for another slow manifold")
+    if not (isinstance(manifold.mu, fmpq) or given.p <= 1):
+        raise ValueError("p_1 must be at most 1 where beta is a ball")
     if growth.evidence is None:
         return f"Lemma 1 with the rate {growth.rate} and the damping {growth.damping}: {growth.where}"
     shares = norm.shares(rectangle)
@@ -151,7 +170,7 @@ def affine_tube(
     first = abs(given.coefficient(e))
     if less(0, first) is None:
         return "the excess at the start is not certainly of one sign"
-    excess = ExcessBounds(manifold.mu, (first * ratio).upper(), (first / ratio).lower())
+    excess = ExcessBounds.around(manifold.mu, (first * ratio).upper(), (first / ratio).lower())
     known = {} if known is None else known
     if ratio not in known:
         try:
@@ -169,11 +188,14 @@ def affine_tube(
     if isinstance(barrier, str):
         return barrier
     side = 1 if given.excess > 0 else -1
-    start = Start(given.p, e, given.size(e), side, abs(given.excess) / given.manifold.system.mean_force)
+    share = abs(ball(given.excess)) / mean
+    start = Start(given.p, e, given.size(e), side, share)
     highest, last = sums.path.largest(barrier), layer(start, ball(rectangle.h), rate, damping)
     fast = sums.path.integral(barrier) + layer_integral(start, rectangle, rate, damping)
     drift = (sums.path.integral(sums.stray) + sums.pushed * fast).upper()
-    tilted = sums.path.largest(excess.of(manifold.force + still(manifold.w) - manifold.system.mean_force))
+    tilted = sums.path.largest(
+        excess.of(manifold.force + still(manifold.w) - constant(RING, manifold.system.mean_force))
+    )
     moved = sums.turned(-side) + ball(largest) * shares[1]
     conditions = {
         "the hand-over lies before the start": less(e**2, rectangle.h**2 * given.p**3),
@@ -195,7 +217,7 @@ def affine_tube(
     evidence = every([growth.evidence, *conditions.values()])
     if evidence is None:
         return "not certain: " + "; ".join(failed)
-    whole = (drift + sums.path.integral({(i, n): value for (i, n), value in sums.drift.items() if n == 3 * i})).upper()
+    whole = (drift + sums.path.integral(excess.of(_steady(manifold)))).upper()
     return AffineTube(
         start, rectangle, barrier, rate, damping=damping, shares=shares, drift=whole, excess=excess, evidence=evidence
     )
@@ -208,14 +230,21 @@ def carried(given: AffineStart, tube: AffineTube, h: arb, r: arb) -> arb:
     far, total = ball(start.p).sqrt(), arb(0)
     for (i, n, k), value in excess_terms(manifold.drift).items():
         power = n + k * manifold.mu
-        if power != 3 * i:
+        if differ(power, fmpq(3 * i)):
             size = (start.side * hull([tube.excess.least, tube.excess.largest])) ** k
             moved = h**i * power_of(r, power) - nearest**i * power_of(far, power)
-            total += ball(2 * value / (power - 3 * i)) * size * moved
+            total += ball(2 * value) / ball(power - 3 * i) * size * moved
     return add_remainder(total, tube.drift)
 
 
-def power_of(r: arb, exponent: fmpq) -> arb:
+def _steady(manifold: SlowManifold) -> Polynomial:
+    """The monomials h^i r^n L^k of D with n + k mu = 3 i, or where it may be so."""
+    terms = excess_terms(manifold.drift).items()
+    kept = {(i, n, k): value for (i, n, k), value in terms if not differ(n + k * manifold.mu, fmpq(3 * i))}
+    return polynomial_of(RING, kept)
+
+
+def power_of(r: arb, exponent: Exact) -> arb:
     """r^exponent for r >= 0 in a ball that may hold 0, exponent >= 0."""
     return hull([end ** ball(exponent) if end > 0 else arb(0) for end in (r.lower(), r.upper())])
 
@@ -251,9 +280,9 @@ class _Left:
             ),
             _sum(self._over(first, R * f, R * level(f)), self._over(self._slow, R * f.derivative(2))),
         )
-        self.drift = _sum(self.slow_over, times(first, excess.of(manifold.beta - 1 + manifold.drift)))
+        self.drift = _sum(self.slow_over, times(first, excess.of(constant(RING, manifold.beta - 1) + manifold.drift)))
 
-    def _over(self, left: Monomials, *polynomials: fmpq_mpoly) -> Monomials:
+    def _over(self, left: Monomials, *polynomials: Polynomial) -> Monomials:
         """``left`` times the sizes of the polynomials over |L|."""
         return _sum(*(times(left, self._excess.of(one, 1)) for one in polynomials))
 
@@ -320,7 +349,7 @@ class Sums:
         system = manifold.system
         self.force = path.largest(excess.of(manifold.force + L))
         alphas = system.alpha_1, system.alpha_2, system.alpha_3
-        left = [times(one.rest(p, self.force), {(0, 0): ball(1 / system.a)}) for one in alphas]
+        left = [times(one.rest(p, self.force), {(0, 0): ball(1 / system.a).upper()}) for one in alphas]
         self._left = _Left(manifold, excess, left, self.force)
         self.fall = path.largest(_sum(excess.of(manifold.fall - 1), self._left.fall))
         self.back = path.largest(_sum(excess.of(manifold.back), self._left.back))
@@ -330,15 +359,14 @@ class Sums:
     def rate(self, growth: arb, largest: arb) -> arb:
         """Gamma of (15)."""
         manifold = self._manifold
-        steady = manifold.beta - 1
+        steady = ball(manifold.beta - 1)
         whole = growth + self._changed_matrix + steady + self._slow + self.back * self._shares[1] * largest
         return (1 + (whole / self._below).max(whole / (1 + self.fall))).upper()
 
     @cached_property
     def _slow(self) -> arb:
         """The part of (S - (beta - 1) L)/L above 0."""
-        rest = self._manifold.slow - (self._manifold.beta - 1) * L
-        return self.path.largest(_sum(self._excess.of(rest, 1, 1), self._left.slow_over))
+        return self.path.largest(_sum(self._excess.of(self._manifold.faster, 1, 1), self._left.slow_over))
 
     @cached_property
     def _changed_matrix(self) -> arb:
@@ -354,8 +382,8 @@ class Sums:
             total += length * second * self._changed(fed, left)
         return total.upper()
 
-    def _changed(self, polynomial: fmpq_mpoly, left: Monomials) -> arb:
-        return self.path.largest(_sum(self._excess.of(polynomial - still(polynomial)), left))
+    def _changed(self, polynomial: Polynomial, left: Monomials) -> arb:
+        return self.path.largest(_sum(self._excess.of(moving(polynomial)), left))
 
     @cached_property
     def source(self) -> Monomials:
@@ -370,8 +398,7 @@ class Sums:
     def stray(self) -> Monomials:
         """The sum without z of (16)."""
         manifold, total = self._manifold, dict[Exponents, arb]()
-        rest = manifold.slow - (manifold.beta - 1 + manifold.drift) * manifold.fall * L
-        added(total, _sum(self._excess.of(rest, 1), self._left.drift), 1 / self._below)
+        added(total, _sum(self._excess.of(manifold.stray, 1), self._left.drift), 1 / self._below)
         return total
 
     @property
@@ -382,7 +409,7 @@ class Sums:
     def turned(self, side: int) -> arb:
         """(w - w at L = 0)/L, the part of this sign."""
         w = self._manifold.w
-        return self.path.largest(self._excess.of(w - still(w), 1, side))
+        return self.path.largest(self._excess.of(moving(w), 1, side))
 
 
 def _shown(value: arb) -> str:

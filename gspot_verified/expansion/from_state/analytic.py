@@ -1,6 +1,7 @@
 """An alpha that is an analytic function of p and b: its Taylor polynomial at p = b = 0, and a bound of what it leaves.
 
-Proof page: ``proofs/from_state.md``, section 8, "Analytic alpha_i" and (18). The polynomial is exact, the bound a ball.
+Proof page: ``proofs/from_state.md``, section 8, "Analytic alpha_i" and (18). The polynomial is exact where its
+coefficients are rational, else they are balls; the bound is a ball.
 """
 
 from __future__ import annotations
@@ -13,13 +14,17 @@ from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from gspot_verified.expansion.from_state.barrier import Monomials
 from gspot_verified.expansion.series.terms import NumberTerms
+from gspot_verified.functions.ball_polynomials import BallPolynomial, constant
 from gspot_verified.functions.convolution import Convolution, Series, TermByTerm, Weights
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.functions.power_series import SeriesOfFunctions
-from gspot_verified.functions.rings import BALLS, RATIONALS
-from gspot_verified.numbers.balls import add_remainder, ball, hull
+from gspot_verified.functions.rings import BALLS, RATIONALS, Ring
+from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull, working_bits
 
 _RING = fmpq_mpoly_ctx.get(("p", "b"), Ordering.lex)
+_BITS = 256  # of coefficients that are not rational
+
+Polynomial = fmpq_mpoly | BallPolynomial
 
 
 class NoTaylorError(ValueError):
@@ -30,7 +35,7 @@ class NoTaylorError(ValueError):
 class Analytic:
     """``function`` of the state (p, b), its terms below ``order`` in p and b together by themselves.
 
-    :raises ValueError: it is not analytic at p = b = 0, or a coefficient of its Taylor polynomial is not rational.
+    :raises ValueError: it is not analytic at p = b = 0.
     """
 
     function: Expression
@@ -43,19 +48,30 @@ class Analytic:
         _terms(self.function, self.order)
 
     @property
-    def value(self) -> fmpq:
-        """At p = b = 0."""
-        return fmpq(_terms(self.function, self.order)[0].to_dict().get((0, 0), fmpq(0)))
+    def value(self) -> Exact:
+        """At p = b = 0; a ball unless all coefficients are rational."""
+        value: Exact = _terms(self.function, self.order)[0].to_dict().get((0, 0), fmpq(0))
+        return value
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether the Taylor polynomial is."""
+        return all(
+            isinstance(value, fmpq) for term in _terms(self.function, self.order) for value in term.to_dict().values()
+        )
 
     @property
     def expression(self) -> Expression:
         """The function of the state (p, b, y, v)."""
         return self.function
 
-    def at(self, p: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-        """The Taylor polynomial where p and b are polynomials."""
-        terms = _terms(self.function, self.order)
-        return sum((term.compose(p, b, ctx=p.context()) for term in terms), p.context().constant(0))
+    def above(self, p: fmpq_mpoly, b: Polynomial) -> Polynomial:
+        """The Taylor polynomial without ``value`` where p and b are polynomials."""
+        total: Polynomial = p.context().constant(0)
+        for term in _terms(self.function, self.order)[1:]:
+            for (i, j), value in term.to_dict().items():
+                total = total + constant(p.context(), value) * p**i * b**j
+        return total
 
     def rest(self, p: fmpq, force: arb) -> Monomials:
         """A bound of \\|function - polynomial\\| where 0 <= r^2 <= p, \\|b\\| <= ``force`` r^2.
@@ -75,40 +91,50 @@ class Analytic:
 
 
 class _Homogeneous:
-    """Terms of order n: polynomials of degree n in p and b."""
+    """Terms of order n: polynomials of degree n in p and b, with coefficients in the ring."""
 
-    def constant(self, value: Any) -> fmpq_mpoly:
+    def __init__(self, ring: Ring) -> None:
+        self._ring = ring
+
+    def constant(self, value: Any) -> Polynomial:
         """The number as a polynomial."""
-        return _RING.constant(RATIONALS.number(value))
+        return constant(_RING, self._ring.number(value))
 
     def zero(self, order: int) -> fmpq_mpoly:
         """Zero, whatever the order."""
         del order
         return _RING.constant(0)
 
-    def scale(self, term: fmpq_mpoly, factor: Any) -> fmpq_mpoly:
+    def scale(self, term: Polynomial, factor: Any) -> Polynomial:
         """The product."""
-        product: fmpq_mpoly = term * factor
-        return product
+        return term * constant(_RING, factor)
 
     def convolution(self, left: Series, right: Series, weights: Weights | None = None) -> Convolution:
         """The terms of the product of two series."""
-        return TermByTerm(left, right, self, RATIONALS, weights)
+        return TermByTerm(left, right, self, self._ring, weights)
 
-    def is_zero(self, term: fmpq_mpoly) -> bool:
-        """Exact."""
+    def is_zero(self, term: Polynomial) -> bool:
+        """Whether it is certainly 0."""
         return bool(term.is_zero())
 
-    def at_start(self, term: fmpq_mpoly) -> fmpq:
+    def at_start(self, term: Polynomial) -> Any:
         """Its value, where it is one of degree 0."""
-        return fmpq(term.to_dict().get((0, 0), fmpq(0)))
+        return self._ring.number(term.to_dict().get((0, 0), fmpq(0)))
 
 
 @cache
-def _terms(function: Expression, order: int) -> tuple[fmpq_mpoly, ...]:
-    """The parts of degree 0, 1, ..., ``order`` - 1."""
-    terms = _Homogeneous()
-    series = SeriesOfFunctions([function], terms, RATIONALS)
+def _terms(function: Expression, order: int) -> tuple[Polynomial, ...]:
+    """The parts of degree 0, 1, ..., ``order`` - 1: exact if they can be."""
+    try:
+        return _terms_in(function, order, RATIONALS)
+    except (TypeError, ValueError):  # one is not rational; or the function is not analytic there, and this raises, too
+        with working_bits(_BITS):
+            return _terms_in(function, order, BALLS)
+
+
+def _terms_in(function: Expression, order: int, ring: Ring) -> tuple[Polynomial, ...]:
+    terms = _Homogeneous(ring)
+    series = SeriesOfFunctions([function], terms, ring)
     series.extend([terms.zero(0), terms.zero(0)])
     series.extend(list(_RING.gens()))
     for n in range(2, order):

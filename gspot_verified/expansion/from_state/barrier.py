@@ -13,7 +13,7 @@ from flint import arb, fmpq, fmpq_mpoly
 
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
 from gspot_verified.expansion.from_state.slow_series import R, SlowSeries, terms_of
-from gspot_verified.numbers.balls import ball
+from gspot_verified.numbers.balls import Exact, ball
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
@@ -32,7 +32,7 @@ class Start:
     e: fmpq
     z: arb
     side: int
-    share: fmpq
+    share: Exact
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,12 @@ from flint import fmpq
 
 from gspot_verified.expansion.from_state.slow_series import Contact
 from gspot_verified.expansion.true_solutions.side import REACH
-from gspot_verified.numbers.balls import approximate
+from gspot_verified.numbers.balls import Exact, approximate
 
 _K_1, _K_2 = fmpq(1), fmpq(1, 2)  # of the norm
 _DAMPINGS = (fmpq(1, 5), fmpq(1, 10), fmpq(1, 25))  # theta in units of l/g, whose true value is 1/2 for small p
 _ABOVE = (fmpq(1, 20), fmpq(1, 5), fmpq(3, 10), fmpq(1, 2))  # of Gamma_E over its limit (beta - 3/2)/2
+_NEAR = 10**6  # of numbers that may be any near another one: multiples of 1/_NEAR
 _TAU = 3.17  # where a hand-over is tried, in units of tau: the slow series is good there
 _FARTHER = (1.0, 1.25, 1.5)
 LARGEST = (*(fmpq(1, n) for n in (500, 100, 30, 10, 5, 3, 2)), fmpq(3, 4))
@@ -53,7 +54,7 @@ def plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[list[Plan]]:
         ]
 
 
-def affine_plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[list[Plan]]:
+def affine_plans(beta: fmpq, a: Exact, contact: Contact) -> Iterator[list[Plan]]:
     """From a small p, where the damping is near its value for small p: for each norm, the sharpest rate first."""
     scale = approximate(a * contact.kappa) ** (1 / 3)
     place = fmpq(math.ceil(8 * _TAU / scale), 8)
@@ -61,6 +62,11 @@ def affine_plans(beta: fmpq, a: fmpq, contact: Contact) -> Iterator[list[Plan]]:
     for k_1, k_2, share in ((fmpq(8, 5), fmpq(12, 25), fmpq(2, 5)), (_K_1, _K_2, fmpq(1, 5))):
         damping = share * contact.lag / contact.rate
         yield [Plan(k_1, k_2, (beta - fmpq(3, 2)) / 2 + above, damping, order, place) for above in _ABOVE]
+
+
+def near(value: Exact) -> fmpq:
+    """A rational number near it."""
+    return value if isinstance(value, fmpq) else fmpq(round(approximate(value) * _NEAR), _NEAR)
 
 
 def reach_for(beta: fmpq) -> float:

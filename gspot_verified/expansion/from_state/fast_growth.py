@@ -11,12 +11,14 @@ from typing import Generic, Protocol, TypeVar
 
 from flint import arb, fmpq, fmpq_mpoly
 
-from gspot_verified.expansion.from_state.slow_series import RING, Contact, H, R, change, terms_of
+from gspot_verified.expansion.from_state.slow_series import RING, Contact, H, R, change
+from gspot_verified.functions.ball_polynomials import BallPolynomial
 from gspot_verified.numbers.balls import ball, hull
 from gspot_verified.numbers.evidence import Box, cover_by_boxes, every, less
 from gspot_verified.numbers.verdict import Evidence
 
-Matrix = list[list[fmpq_mpoly]]
+Polynomial = fmpq_mpoly | BallPolynomial
+Matrix = list[list[Polynomial]]
 _HALVINGS = 24  # of a box; then the inequality counts as not shown
 
 
@@ -32,19 +34,19 @@ class SlowPart(Protocol):
     """What B and M' need of a slow part: of the model system, or of section 8 at L = 0."""
 
     @property
-    def beta(self) -> fmpq:
-        """alpha_3/alpha_1 at the G-spot."""
+    def balance(self) -> fmpq:
+        """(beta - 1/2)/2, or a number near it: any is right."""
 
     @property
     def contact(self) -> Contact:
         """kappa, g, l."""
 
     @property
-    def coupling(self) -> tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]:
+    def coupling(self) -> tuple[Polynomial, Polynomial, Polynomial]:
         """What x_2 feeds into x_1, x_2, x_3 besides r, 0, (l/g) r, over h r."""
 
     @property
-    def level_fall(self) -> fmpq_mpoly:
+    def level_fall(self) -> Polynomial:
         """-p'/(h r p)."""
 
 
@@ -67,10 +69,10 @@ class Norm(Generic[Part]):
             raise ValueError(f"k_1 and k_2 must not be negative, got {self.k_1} and {self.k_2}")
 
     @property
-    def matrix(self) -> Matrix:
+    def matrix(self) -> list[list[fmpq_mpoly]]:
         """M."""
         contact, zero = self.series.contact, RING.constant(0)
-        first = self.k_2 * contact.lag / contact.rate * R - (self.series.beta - fmpq(1, 2)) / 2 * H
+        first = self.k_2 * contact.lag / contact.rate * R - self.series.balance * H
         second = -self.k_1 * R
         one, last = RING.constant(1), RING.constant(contact.rate**2 / contact.lag)
         return [[RING.constant(contact.kappa), first, zero], [first, one, second], [zero, second, last]]
@@ -79,7 +81,7 @@ class Norm(Generic[Part]):
         """Bounds of |x_1|, |x_2|, |x_3| over |x|_M on the rectangle, (5); None where M may not be positive definite."""
         contact = self.series.contact
         rising = self.k_2 * contact.lag / contact.rate * rectangle.r
-        falling = (self.series.beta - fmpq(1, 2)) / 2 * rectangle.h
+        falling = self.series.balance * rectangle.h
         first = max(rising, falling) ** 2 / contact.kappa
         second = (self.k_1 * rectangle.r) ** 2 * contact.lag / contact.rate**2
         rest = 1 - first - second
@@ -151,11 +153,12 @@ class _Chart:
         self._side = [self._scaled(matrix[i][2], 1) for i in (0, 1)]
         self._corner = self._scaled(matrix[2][2], 0)
 
-    def _scaled(self, polynomial: fmpq_mpoly, power: int) -> list[tuple[int, int, arb]]:
+    def _scaled(self, polynomial: Polynomial, power: int) -> list[tuple[int, int, arb]]:
         """The terms (exponent of u, of size, coefficient) of the entry over r^power, or over h^power u^(power/2); a
         side entry keeps u^(-1/2), which :meth:`minors` puts right."""
         terms = []
-        for (i, j), value in terms_of(polynomial).items():
+        for (x, y), value in polynomial.to_dict().items():
+            i, j = int(x), int(y)
             first = i if self._steep else j - (1 if power else 0)
             if first < 0 or i + j < power:
                 raise ArithmeticError(f"the entry has the monomial h^{i} r^{j}")

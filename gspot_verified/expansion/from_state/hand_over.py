@@ -13,7 +13,7 @@ from gspot_verified.expansion.from_state.barrier import Tube
 from gspot_verified.expansion.from_state.slow_series import R, SlowSeries, terms_of
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import identity
-from gspot_verified.numbers.balls import add_remainder, ball, hull
+from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ _NOTHING = Beside(arb(0), arb(0), arb(0), arb(0), (arb(0), arb(0), arb(0), arb(0
 
 def framed(
     equations: DeviationEquations,
-    beta: fmpq,
+    beta: Exact,
     slow: tuple[arb, ...],
     shares: tuple[arb, arb, arb],
     z: arb,

@@ -63,6 +63,11 @@ class SlowSeries:
     residual: tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]
 
     @property
+    def balance(self) -> fmpq:
+        """(beta - 1/2)/2."""
+        return (self.beta - fmpq(1, 2)) / 2
+
+    @property
     def coupling(self) -> tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly]:
         """What x_2 feeds into x_1, x_2, x_3 besides r, 0, (l/g) r, over h r, (4)."""
         return self.beta * self.v / R, self.beta - 1 + self.beta * self.w, self.beta * R * self.f

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from flint import arb, fmpq
+from flint import arb
 
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.growth import (
@@ -17,14 +17,14 @@ from gspot_verified.expansion.true_solutions.growth import (
     phi_of,
     ranges_of,
 )
-from gspot_verified.numbers.balls import approximate, ball
+from gspot_verified.numbers.balls import Exact, approximate, ball
 
 _RATES = (0.95, 0.85, 0.75, 0.65, 0.55, 0.45, 0.35)
 _GAPS = (1.1, 1.2, 1.35)
 _ROUNDS = 3  # in which the constants of a cone are adjusted to each other
 
 
-def cones(equations: DeviationEquations, entry: EntryDeviation, power: fmpq, top: arb) -> Iterator[DeviationCone]:
+def cones(equations: DeviationEquations, entry: EntryDeviation, power: Exact, top: arb) -> Iterator[DeviationCone]:
     """Cones that hold the deviation at s_1, the fastest growth first."""
     if not (entry.Y > 0 and entry.V > 0 and entry.N > 0 and entry.q > 0):
         return
@@ -42,7 +42,7 @@ def cones(equations: DeviationEquations, entry: EntryDeviation, power: fmpq, top
 
 
 def _filled(
-    equations: DeviationEquations, entry: EntryDeviation, power: fmpq, cone: DeviationCone
+    equations: DeviationEquations, entry: EntryDeviation, power: Exact, cone: DeviationCone
 ) -> DeviationCone | None:
     """The cone with A, A_p, B, C for its a and c."""
     least = entry.Y.lower()

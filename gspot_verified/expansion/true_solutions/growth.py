@@ -13,7 +13,7 @@ from flint import arb, fmpq
 
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.track import Track
-from gspot_verified.numbers.balls import add_remainder, ball, hull
+from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
@@ -94,7 +94,7 @@ def entry_of(track: Track, index: int) -> EntryDeviation | None:
     )
 
 
-def ranges_of(equations: DeviationEquations, entry: EntryDeviation, power: fmpq, cone: DeviationCone) -> Ranges | None:
+def ranges_of(equations: DeviationEquations, entry: EntryDeviation, power: Exact, cone: DeviationCone) -> Ranges | None:
     """The bars, or None where they are not finite."""
     m, delta, order = equations.dimension, equations.delta, equations.trajectory.order
     least = entry.Y.lower() * delta ** ball(power)
@@ -110,7 +110,7 @@ def ranges_of(equations: DeviationEquations, entry: EntryDeviation, power: fmpq,
     if not all(value.is_finite() for row in (values, [last, force], *slopes) for value in row):
         return None
     bounds, residual_z = equations.residual_below(last)
-    ratio = delta ** ball(order - power) / entry.V.lower()
+    ratio = delta ** (order - ball(power)) / entry.V.lower()
     return Ranges(
         last=last,
         drift=[[(slopes[i][j] + force * slopes[m + i][j]).abs_upper() for j in range(m)] for i in range(m)],
@@ -152,7 +152,7 @@ def needed_p(equations: DeviationEquations, ranges: Ranges, cone: DeviationCone)
 
 
 def grows(
-    equations: DeviationEquations, entry: EntryDeviation, power: fmpq, cone: DeviationCone
+    equations: DeviationEquations, entry: EntryDeviation, power: Exact, cone: DeviationCone
 ) -> tuple[arb, Evidence] | None:
     """|e_lambda| at Y = Y_max from below, (kappa - phi_0 B) Y_max, with (G0) to (G7) as evidence; None where one is not
     certain."""

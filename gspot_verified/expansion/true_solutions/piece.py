@@ -13,7 +13,7 @@ from flint import arb, arb_mat, fmpq
 
 from gspot_verified.expansion.true_solutions.equations import Coupling, DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import Frame, frame_at, larger, matrix_value, turned_frame
-from gspot_verified.numbers.balls import add_remainder, ball, hull
+from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull
 
 _ATTEMPTS = 40  # to guess bounds that hold; then nothing is said
 
@@ -57,11 +57,11 @@ class TrackPiece:
 class Rules:
     """What stays the same on all pieces: the equations, and delta_0^mu and delta_0^(M - mu)."""
 
-    def __init__(self, equations: DeviationEquations, power: fmpq) -> None:
+    def __init__(self, equations: DeviationEquations, power: Exact) -> None:
         self.equations = equations
         delta = equations.delta
         self.scale = delta ** ball(power)
-        self.forcing = delta ** ball(equations.trajectory.order - power)
+        self.forcing = delta ** (equations.trajectory.order - ball(power))
         self.rate = equations.least_rate
 
     def fast_start(self, state: Deviations, later: fmpq) -> arb:

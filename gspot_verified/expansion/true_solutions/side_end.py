@@ -13,7 +13,7 @@ from flint import arb, fmpq
 from gspot_verified.expansion.true_solutions.cone_choice import cones
 from gspot_verified.expansion.true_solutions.growth import DeviationCone, entry_of, grows, ranges_of
 from gspot_verified.expansion.true_solutions.track import Track
-from gspot_verified.numbers.balls import ball, hull
+from gspot_verified.numbers.balls import Exact, ball, hull
 from gspot_verified.numbers.evidence import cover, every, less
 from gspot_verified.numbers.verdict import Evidence
 
@@ -35,9 +35,9 @@ class SideEnd:
     force: arb
     evidence: Evidence
 
-    def latest(self, epsilon: fmpq, power: fmpq) -> arb:
+    def latest(self, epsilon: fmpq, power: Exact) -> arb:
         """The s_+ of Theorem U2 at delta = epsilon^(1/3), mu = ``power``."""
-        shrunk = ball(epsilon) ** ball(power / 3)
+        shrunk = ball(epsilon) ** (ball(power) / 3)
         return (ball(self.entered) + (self.ratio / shrunk).log() / self.cone.a).upper()
 
 
@@ -108,7 +108,7 @@ def first_entered(ends: Sequence[SideEnd]) -> fmpq | None:
     return found
 
 
-def latest_at(ends: Sequence[SideEnd], epsilon: fmpq, power: fmpq) -> arb:
+def latest_at(ends: Sequence[SideEnd], epsilon: fmpq, power: Exact) -> arb:
     """The s by which it has happened at this epsilon.
 
     :raises ValueError: nothing is proved at it.

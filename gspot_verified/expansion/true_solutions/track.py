@@ -10,6 +10,7 @@ from flint import arb, arb_mat, fmpq
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.frames import identity, number_of_pieces
 from gspot_verified.expansion.true_solutions.piece import Deviations, Rules, TrackPiece, advance
+from gspot_verified.numbers.balls import Exact
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,7 @@ class Track:
     """The pieces from the start on, up to the end or to where the inequality failed."""
 
     equations: DeviationEquations
-    power: fmpq
+    power: Exact
     end: fmpq
     pieces: tuple[TrackPiece, ...]
 
@@ -35,7 +36,7 @@ class Track:
 
 def track(
     equations: DeviationEquations,
-    power: fmpq,
+    power: Exact,
     start: fmpq,
     end: fmpq,
     centre: Sequence[arb],

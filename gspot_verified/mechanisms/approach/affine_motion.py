@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from gspot_verified.expansion.from_state.affine_side import affine_side
-from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
+from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem, holds_integer
 from gspot_verified.expansion.from_state.analytic import Analytic
 from gspot_verified.functions.expressions import (
     Constant,
@@ -37,8 +37,8 @@ _ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is r
 
 
 def with_explicit(found: MechanismSide, mechanism: Mechanism, start: StateInput) -> MechanismSide:
-    """The same with ``explicit``, where the alphas are functions of p and b with rational Taylor coefficients at the
-    G-spot, and p and b are components that the state gives as rational numbers."""
+    """The same with ``explicit``, where the alphas are functions of p and b that are analytic at the G-spot, and p, b
+    are components that the state gives as rational numbers."""
     if found.side is None:
         return found
     try:
@@ -56,7 +56,7 @@ def affine_system_of(mechanism: Mechanism) -> tuple[tuple[str, str], AffineSyste
 
     An angle with a reference is none of them: its value in a state is not the one that the functions count.
 
-    :raises ValueError: a Taylor coefficient of an alpha at p = b = 0 is not rational, or does not exist.
+    :raises ValueError: an alpha is not analytic at p = b = 0.
     """
     functions = shift(mechanism).functions
     wanted = (functions.p, functions.b, functions.alpha_1, functions.alpha_2, functions.alpha_3)
@@ -72,7 +72,7 @@ def affine_system_of(mechanism: Mechanism) -> tuple[tuple[str, str], AffineSyste
         return None
     if not (first.value < 0 and second.value < 0 and third.value < first.value):
         return None
-    if (third.value / first.value).q == 1:  # beta is an integer: the reference has a logarithm
+    if holds_integer(third.value / first.value):  # beta is an integer: the reference has a logarithm
         return None
     names = mechanism.state[places[0]], mechanism.state[places[1]]
     if any(angle.coordinate in names for angle in mechanism.angles):

@@ -64,7 +64,7 @@ def tube(system: AffineSystem, z: str, h: fmpq = H_1, e: fmpq | None = None, dri
     assert shown is not None
     begun = Start(P, system.a * DELTA**3 if e is None else e, arb(0), 1, fmpq(1, 2))
     one = Rectangle(h, fmpq(1, 4))
-    bounds = ExcessBounds(2 * system.beta - 2, arb(30), arb("0.001"))
+    bounds = ExcessBounds.around(2 * system.beta - 2, arb(30), arb("0.001"))
     return AffineTube(begun, one, {(2, 1): arb(z)}, arb(1), arb("0.1"), SHARES, arb(drift), bounds, shown)
 
 

@@ -30,7 +30,8 @@ def test_the_numbers_of_the_spot() -> None:
 
 
 def test_an_affine_function_of_polynomials() -> None:
-    assert BENT.alpha_1.at(R * R, H + 1) == RING.constant(fmpq(-14, 5)) + R * R / 3 - 2 * H
+    assert BENT.alpha_1.above(R * R, H + 1) == RING.constant(fmpq(-2)) + R * R / 3 - 2 * H
+    assert BENT.alpha_1.value == fmpq(-4, 5)
 
 
 def test_the_system_has_the_equations_of_the_page() -> None:

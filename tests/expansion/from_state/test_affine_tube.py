@@ -22,7 +22,7 @@ from gspot_verified.expansion.from_state.affine_tube import (
 )
 from gspot_verified.expansion.from_state.barrier import Monomials, layer, layer_integral, paid
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
-from gspot_verified.expansion.from_state.slow_manifold import RING, SlowManifold
+from gspot_verified.expansion.from_state.slow_manifold import RING, Cut, L, SlowManifold
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.numbers.balls import hull, working_bits
 from gspot_verified.numbers.evidence import less
@@ -100,7 +100,11 @@ def manifold(**changes: Any) -> SlowManifold:
     } | changes  # fmt: skip
     residual = tuple(RING.from_dict(one) for one in terms.pop("residual", RESIDUAL))
     system = terms.pop("system", SYSTEM)
-    return SlowManifold(system, residual=residual, **{name: RING.from_dict(one) for name, one in terms.items()})
+    made = {name: RING.from_dict(one) for name, one in terms.items()}
+    slow, steady = made.pop("slow"), system.beta - 1
+    stray = slow - (steady + made["drift"]) * made["fall"] * L
+    cut = Cut(4, fmpq(8), 2 * steady)
+    return SlowManifold(system, cut, residual=residual, faster=slow - steady * L, stray=stray, **made)
 
 
 def granted(rate: fmpq = GROWTH, damping: fmpq = DAMPING) -> Growth:
@@ -345,7 +349,7 @@ def test_the_numbers_are_those_of_the_page(excess: fmpq, rests: Rests) -> None:
     assert agrees(one.start.z, page.at_start(mpf(1) / 100))
     assert (one.start.p, one.start.e, one.start.side, one.rectangle) == (P, E, 1 if excess > 0 else -1, RECTANGLE)
     assert [agrees(x, y) for x, y in zip(one.shares, (page.c_v, page.c_w, page.c_phi), strict=True)] == [True] * 3
-    assert one.excess.mu == MU
+    assert one.excess.low == MU
     assert agrees(one.excess.largest, page.most)
     assert abs(in_mpmath(one.excess.least) - page.least) < mpf(10) ** -40
     wanted, barrier = barrier_of(page, page.rate(), damping_of(page)), by_monomial(one.barrier)

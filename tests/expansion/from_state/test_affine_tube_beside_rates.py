@@ -65,7 +65,7 @@ def sums_at(state: Rates, norm: Norm) -> tuple[Sums, ExcessBounds] | None:
     if shares is None:
         return None
     size = abs(ball(state.L)) / root ** ball(state.manifold.mu)
-    excess = ExcessBounds(state.manifold.mu, size.upper(), size.lower())
+    excess = ExcessBounds.around(state.manifold.mu, size.upper(), size.lower())
     path = _Path(rectangle, state.r**2, state.h * state.r**3)
     sums = Sums(norm, state.manifold, shares, excess, path, state.r**2)
     return (sums, excess) if sums.fall < fmpq(9, 10) else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from typing import Any
 
 import mpmath
 import pytest
@@ -12,6 +13,7 @@ from mpmath import mpf
 
 from gspot_verified.expansion.from_state.analytic import Analytic, NoTaylorError
 from gspot_verified.expansion.from_state.slow_manifold import RING, H, L, R
+from gspot_verified.functions.ball_polynomials import constant
 from gspot_verified.functions.expressions import (
     Constant,
     Cosine,
@@ -22,7 +24,7 @@ from gspot_verified.functions.expressions import (
     Sine,
     Variable,
 )
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import ball, working_bits
 from tests.expansion.from_state.test_barrier_numbers import in_mpmath, number
 
 P, B = Variable(0), Variable(1)
@@ -33,6 +35,13 @@ def rational(*value: int) -> Expression:
 
 
 ONE = rational(1)
+
+
+def whole(alpha: Analytic, p: Any, b: Any) -> Any:
+    """The Taylor polynomial where p and b are polynomials."""
+    return constant(RING, alpha.value) + alpha.above(p, b)
+
+
 CASES: list[tuple[Expression, Callable[[mpf, mpf], mpf]]] = [
     (Sine(P + rational(2) * B) - ONE, lambda p, b: mpmath.sin(p + 2 * b) - 1),
     (Power(ONE + P - B, fmpq(-1)), lambda p, b: 1 / (1 + p - b)),
@@ -49,7 +58,7 @@ def test_the_polynomial_has_the_derivatives_of_the_function(
 ) -> None:
     """Coefficients of p^j b^k by mpmath; none is left out below the order, none is added."""
     with mpmath.workdps(60):
-        found = Analytic(function, order, "f").at(H, R).to_dict()
+        found = whole(Analytic(function, order, "f"), H, R).to_dict()
         for j in range(order + 1):
             for k in range(order + 1 - j):
                 wanted = mpmath.diff(value, (0, 0), (j, k)) / mpmath.factorial(j) / mpmath.factorial(k)
@@ -69,7 +78,7 @@ def test_what_is_left_is_within_the_bound(
     with mpmath.workdps(40), working_bits(128):
         ((key, bound),) = alpha.rest(most, arb(fmpq(force))).items()
         assert key == (0, 2 * order)
-        polynomial = alpha.at(H, R).to_dict()
+        polynomial = whole(alpha, H, R).to_dict()
         for _ in range(200):
             p = number(most) * draw.choice([mpf(1), mpf(draw.random())])
             b = number(fmpq(force)) * p * draw.choice([mpf(1), mpf(-1), mpf(draw.uniform(-1, 1))])
@@ -92,9 +101,9 @@ def test_a_polynomial_below_the_order_leaves_nothing() -> None:
 
 def test_where_p_and_b_are_polynomials() -> None:
     alpha = Analytic(Power(ONE - P, fmpq(-1)) + B * B * B, 3, "f")
-    assert alpha.at(R * R, H - L) == 1 + R**2 + R**4
+    assert whole(alpha, R * R, H - L) == 1 + R**2 + R**4
     cubic = Analytic(B * B * B - ONE, 4, "b^3 - 1")
-    assert cubic.at(R, H + 2) == (H + 2) ** 3 - RING.constant(1)
+    assert whole(cubic, R, H + 2) == (H + 2) ** 3 - RING.constant(1)
     assert (cubic.value, cubic.expression, cubic.text) == (-1, cubic.function, "b^3 - 1")
     assert alpha.value == 1
 
@@ -112,14 +121,33 @@ def test_a_box_that_may_hold_a_pole_is_refused(pole: fmpq) -> None:
 
 
 @pytest.mark.parametrize(
-    "function",
+    ("function", "value"),
     [
-        Exponential(ONE + P), Power(rational(2) + P, fmpq(1, 2)), Power(P, fmpq(-1)), Logarithm(P),
-        Power(B, fmpq(1, 2)), Sine(P + ONE),
+        (Exponential(ONE + P) * B - ONE, lambda p, b: mpmath.exp(1 + p) * b - 1),
+        (Power(rational(2) + P * B, fmpq(1, 2)) + B, lambda p, b: mpmath.sqrt(2 + p * b) + b),
+        (Sine(P + ONE) * Cosine(B - ONE), lambda p, b: mpmath.sin(p + 1) * mpmath.cos(b - 1)),
+        (Constant(arb("1.5", "1e-30")) * P * P + B, lambda p, b: mpf("1.5") * p * p + b),
     ],
-)  # fmt: skip
-def test_without_rational_coefficients_it_is_refused(function: Expression) -> None:
-    with pytest.raises(ValueError, match=r"rational|vanish"):
+)
+def test_coefficients_that_are_not_rational_lie_in_balls(
+    function: Expression, value: Callable[[mpf, mpf], mpf]
+) -> None:
+    alpha = Analytic(function, 4, "f")
+    assert not alpha.is_exact
+    with mpmath.workdps(60), working_bits(200):
+        found = whole(alpha, H, R).to_dict()
+        for j in range(4):
+            for k in range(4 - j):
+                wanted = mpmath.diff(value, (0, 0), (j, k)) / mpmath.factorial(j) / mpmath.factorial(k)
+                coefficient = ball(found.pop((j, k, 0), fmpq(0)))
+                assert abs(in_mpmath(coefficient.mid()) - wanted) <= in_mpmath(coefficient.rad()) + mpf(10) ** -15
+                assert coefficient.rad() < arb("1e-29")
+        assert not found
+
+
+@pytest.mark.parametrize("function", [Power(P, fmpq(-1)), Logarithm(P), Power(B, fmpq(1, 2))])
+def test_without_a_taylor_polynomial_it_is_refused(function: Expression) -> None:
+    with pytest.raises(ValueError, match=r"vanish|positive"):
         Analytic(function, 3, "f")
 
 

@@ -8,14 +8,21 @@ from dataclasses import replace
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.affine_side import _level, _manifold, _prepared, _tube, affine_side
+from gspot_verified.expansion.from_state.affine_side import (
+    AffineSide,
+    _level,
+    _manifold,
+    _prepared,
+    _tube,
+    affine_side,
+)
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube
 from gspot_verified.expansion.from_state.analytic import Analytic
 from gspot_verified.expansion.from_state.fast_growth import Growth
 from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.functions.expressions import Constant, Exponential, Expression, Power, Sine, Variable
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome
 from tests.expansion.from_state.test_affine_hand_over_of_runs import arrives
@@ -39,12 +46,24 @@ BENT = AffineSystem(
     analytic(rational(-3, 2) + Sine(P) * rational(2) + B * B),
     PAPER,
 )  # beta = 3/2
+IRRATIONAL = replace(
+    BENT, alpha_3=analytic(rational(-1) * Power(rational(2), fmpq(1, 2)) + Sine(P) * rational(2) + B * B)
+)  # beta = sqrt 2
+MIXED = replace(
+    BENT,
+    alpha_1=analytic(rational(-1, 3) * Exponential(rational(1)) + B + Power(rational(1) + P, fmpq(-1, 2)) * P * P),
+    alpha_3=analytic(rational(-1) * Power(rational(5), fmpq(1, 2)) + Sine(P) * rational(2)),
+)  # beta = 3 sqrt(5)/e = 2.4678...
 STEEP = replace(BENT, alpha_3=analytic(rational(-5, 2) * Power(rational(1) + P * B, fmpq(-1))))
 TRUE: list[Function] = [
     lambda p, b: -1 + b + p.sin() * b + p * p / (1 + p).sqrt(),
     lambda p, b: b.exp() - 2 - p * b,
     lambda p, b: 2 * p.sin() - arb(fmpq(3, 2)) + b * b,
 ]
+TRUE_IRRATIONAL: list[Function] = [*TRUE[:2], lambda p, b: 2 * p.sin() - arb(2).sqrt() + b * b]
+TRUE_MIXED: list[Function] = [
+    lambda p, b: b - arb(1).exp() / 3 + p * p / (1 + p).sqrt(), TRUE[1], lambda p, _: 2 * p.sin() - arb(5).sqrt(),
+]  # fmt: skip
 TRUE_STEEP: list[Function] = [*TRUE[:2], lambda p, b: -arb(fmpq(5, 2)) / (1 + p * b)]
 
 
@@ -63,6 +82,8 @@ class TrueContact(StiffContact):
 
 
 AFFINE_PARTS = [[fmpq(-1), fmpq(0), fmpq(1)], [fmpq(-1), fmpq(0), fmpq(1)], [fmpq(-3, 2), fmpq(2), fmpq(0)]]
+AFFINE_IRRATIONAL = [*AFFINE_PARTS[:2], [fmpq(-7071, 5000), fmpq(2), fmpq(0)]]
+AFFINE_MIXED = [[fmpq(-9061, 10000), fmpq(0), fmpq(1)], AFFINE_PARTS[1], [fmpq(-2236, 1000), fmpq(2), fmpq(0)]]
 AFFINE_STEEP = [*AFFINE_PARTS[:2], [fmpq(-5, 2), fmpq(0), fmpq(0)]]
 
 
@@ -71,13 +92,20 @@ def place_of(system: AffineSystem, p: fmpq, excess: fmpq) -> fmpq:
     return p * (AffineStart(_manifold(system, 1), p, fmpq(0), fmpq(0)).excess - excess)
 
 
+def near_place(system: AffineSystem, p: fmpq, excess: fmpq) -> fmpq:
+    """A rational b with an L near this one."""
+    with working_bits(128):
+        exact = ball(AffineStart(_manifold(system, 1), p, fmpq(0), fmpq(0)).excess)
+        return p * (fmpq((exact * 10**4).floor().unique_fmpz(), 10**4) - excess)
+
+
 def corners(start: AffineStart) -> list[State]:
     """At rest, and the ends of V, W, phi within the stated shares."""
-    p, size = arb(start.p), abs(start.excess) * start.within
+    p, size = arb(start.p), abs(ball(start.excess)).mid() * start.within
     rigid, root, states = -start.b / start.p, arb(start.p).sqrt(), list[State]()
     for first, second, third in ((0, 0, 0), (1, 1, 1), (-1, 1, -1), (1, -1, -1), (-1, -1, 1)):
         speed = first * root * size / arb("0.5").sqrt()  # kappa = l = 1/2, g = 2
-        force = arb(rigid + second * size)
+        force = arb(rigid) + second * size
         phi = third * root * size * arb("0.5").sqrt() / 2
         height = (phi - force - speed / 4) * 2  # phi = lambda + kappa Y + (l/g) V
         states.append([p, arb(start.b), height, speed, height + force])
@@ -153,8 +181,58 @@ def test_the_side_is_that_of_runs_of_the_true_equations(
     assert found.side == side
     assert found.epsilon > least
     functions, affine = (TRUE, AFFINE_PARTS) if system is BENT else (TRUE_STEEP, AFFINE_STEEP)
+    runs_end(found, functions, affine)
+
+
+def runs_end(found: AffineSide, functions: list[Function], affine: list[list[fmpq]]) -> None:
+    """Runs of the true equations from corners of the starts, at three epsilon."""
     for factor in (1, 2, 10):
         for start in corners(found.start)[:: 1 if factor == 1 else 2]:
             ended, last = fate(TrueContact(functions, affine, found.epsilon / factor), start, 20)
-            assert ended == side
+            assert ended == found.side
             assert last[0] < 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("system", "p", "excess", "side", "least", "functions", "affine"),
+    [
+        (IRRATIONAL, fmpq(1, 100), fmpq(1, 2), "lift-off", fmpq(1, 4 * 10**6), TRUE_IRRATIONAL, AFFINE_IRRATIONAL),
+        (IRRATIONAL, fmpq(1, 100), fmpq(-1, 2), "impact", fmpq(1, 4 * 10**6), TRUE_IRRATIONAL, AFFINE_IRRATIONAL),
+        (MIXED, fmpq(1, 50), fmpq(1, 3), "impact", fmpq(1, 2 * 10**6), TRUE_MIXED, AFFINE_MIXED),
+    ],
+)
+def test_irrational_numbers_have_the_side_of_runs(
+    system: AffineSystem,
+    p: fmpq,
+    excess: fmpq,
+    side: str,
+    least: fmpq,
+    functions: list[Function],
+    affine: list[list[fmpq]],
+) -> None:
+    found = affine_side(system, p, near_place(system, p, excess))
+    assert found.verdict.outcome is Outcome.PROVED, found
+    assert found.side == side
+    assert found.epsilon > least
+    runs_end(found, functions, affine)
+
+
+def test_a_rational_system_has_the_same_tube_in_balls() -> None:
+    """sqrt(2)^2 in the place of 2."""
+    root = Power(rational(2), fmpq(1, 2))
+    same = replace(BENT, alpha_3=analytic(rational(-3, 2) + root * root * Sine(P) + B * B))
+    p, delta, tubes = fmpq(1, 100), fmpq(1, 150), list[AffineTube]()
+    assert (BENT.is_exact, same.is_exact) == (True, False)
+    for system in (BENT, same):
+        start = AffineStart(_manifold(system, 1), p, place_of(BENT, p, fmpq(1, 2)), fmpq(1, 100))
+        with working_bits(128):
+            tube = _tube(start, next(_prepared(start)), delta**3)
+        assert isinstance(tube, AffineTube), tube
+        tubes.append(tube)
+    exact, balls = tubes
+    assert exact.barrier.keys() <= balls.barrier.keys()
+    with working_bits(128):
+        for key, value in balls.barrier.items():
+            assert abs(value - exact.barrier.get(key, arb(0))) < (1 + value) * arb("1e-12")
+        assert abs(balls.drift - exact.drift) < arb("1e-12")

@@ -18,6 +18,7 @@ from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Constant, Expression, Power, Sine, Variable
 from gspot_verified.mechanisms.approach.affine_motion import _fractions, affine_system_of, with_explicit
 from gspot_verified.mechanisms.input.file import parse_mechanism
+from gspot_verified.numbers.balls import ball, working_bits
 
 TEXT = model_text(
     '"u", 0, "v", "b", "alpha_1 + p/5 + b", "alpha_2 - p + 2*b"',
@@ -96,10 +97,18 @@ def test_analytic_alphas_are_found(new: str, value: Callable[[float, float], flo
         assert abs(eval(alpha.text.replace("^", "**"), names) - value(0.125, -0.0625)) < 1e-12, alpha.text
 
 
-def test_without_rational_taylor_coefficients_it_is_refused() -> None:
-    with pytest.raises(ValueError, match="not rational"):
-        found_in(("alpha_1 + p/5", "exp(1 + p) - 4"))
-    mechanism = parse_mechanism(TEXT.replace("alpha_1 + p/5", "exp(1 + p) - 4"))
+def test_taylor_coefficients_need_not_be_rational() -> None:
+    found = found_in(("alpha_1 + p/5", "alpha_1*exp(1 + p)/4"))
+    assert found is not None
+    assert not found[1].is_exact
+    with working_bits(128):
+        assert abs(ball(found[1].beta) - 6 / arb(1).exp()) < arb("1e-35")
+
+
+def test_without_taylor_coefficients_it_is_refused() -> None:
+    with pytest.raises(ValueError, match="vanish"):
+        found_in(("alpha_1 + p/5", "sqrt(p) - 4"))
+    mechanism = parse_mechanism(TEXT.replace("alpha_1 + p/5", "sqrt(p) - 4"))
     found = mechanism_side(load("extended system"), {"x": 0, "u": 1, "p": "1/5", "b": "-1/50"})
     assert with_explicit(found, mechanism, {"p": "1/100", "b": "-1/50"}) is found
 
