@@ -141,11 +141,11 @@ def verdict(
 ) -> None:
     """Lift-off or impact, for every small ε at once. From a state far from the G-spot.
 
-    Of a mechanism, from a state: there is an ε0 > 0. It is computed where α1, α2, α3 are functions of p and b that are
-    analytic at the G-spot, p and b are components, and the state is near enough to the G-spot. With --beta and --from:
-    the model system (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of Case III
-    with this β; ε0 is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is printed
-    then.
+    Of a mechanism, from a state: there is an ε0 > 0. It is computed where α1, α2, α3 are functions of p, b, y, v that
+    are analytic at the G-spot, these are components, and the state is near enough to the G-spot. With --beta and
+    --from: the model system (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of
+    Case III with this β; ε0 is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is
+    printed then.
     """
     from gspot_verified.cli.load import components
     from gspot_verified.expansion.from_state.limit_side import LimitSide, limit_side

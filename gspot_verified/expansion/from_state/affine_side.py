@@ -1,4 +1,4 @@
-"""From a state near a G-spot to lift-off or impact, for every epsilon up to epsilon_0: alphas that depend on p and b.
+"""From a state near a G-spot to lift-off or impact, for every epsilon up to epsilon_0: alphas that depend on the state.
 
 Proof page: ``proofs/from_state.md``, the theorem of section 8.
 """
@@ -47,7 +47,7 @@ _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 
 @dataclass(frozen=True)
 class AffineSide(NoTruthValue, Written):
-    """What becomes of all starts in a stated set, for every epsilon in (0, ``epsilon``] at once; alpha_i of p, b.
+    """What becomes of all starts in a stated set, for every epsilon in (0, ``epsilon``] at once; alpha_i of p, b, y, v.
 
     ``side``: "lift-off" (lambda_N > 0 until p < 0, later it reaches 0), "impact" (lambda_N > 0 until p < 0, and after
     that until it exceeds a stated force), or None: undecided, and ``verdict.detail`` says which inequality is not
@@ -229,8 +229,9 @@ def _text(value: Exact) -> str:
 
 def _system_text(system: AffineSystem) -> str:
     first, second, third = (one.text for one in (system.alpha_1, system.alpha_2, system.alpha_3))
+    moving = ", v = y'" if system.moves else ""
     return (
-        f"p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N, y'' = b + p lambda_N with alpha_1 = {first}, "
+        f"p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N, y'' = b + p lambda_N{moving} with alpha_1 = {first}, "
         f"alpha_2 = {second}, alpha_3 = {third} and {contact_text(system.regularisation)}"
     )
 

@@ -1,4 +1,4 @@
-"""Systems whose alpha_1, alpha_2, alpha_3 are functions of p and b, affine or analytic: the numbers of their G-spot.
+"""Systems whose alpha_1, alpha_2, alpha_3 are functions of p, b, y, v, affine or analytic: the numbers of their G-spot.
 
 Proof page: ``proofs/from_state.md``, section 8. Exact rationals, or balls; the state is (p, b, y, v).
 """
@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from flint import arb, fmpq, fmpq_mpoly
+from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.analytic import Analytic, Polynomial
+from gspot_verified.expansion.from_state.analytic import Analytic, Place, Polynomial, Reach
 from gspot_verified.expansion.from_state.barrier import Monomials
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.series.system import System
@@ -28,8 +28,9 @@ class Affine:
     by_p: fmpq = _ZERO
     by_b: fmpq = _ZERO
 
-    def above(self, p: fmpq_mpoly, b: Polynomial) -> Polynomial:
-        """What it is above ``value`` where p and b are polynomials."""
+    def above(self, place: Place) -> Polynomial:
+        """What it is above ``value``."""
+        p, b, _, _ = place
         above: Polynomial = self.by_b * b + self.by_p * p
         return above
 
@@ -43,10 +44,20 @@ class Affine:
         """The function of the state (p, b, y, v)."""
         return Constant(self.value) + Constant(self.by_p) * Variable(0) + Constant(self.by_b) * Variable(1)
 
-    def rest(self, p: fmpq, force: arb) -> Monomials:
+    @property
+    def moves(self) -> bool:
+        """Neither y nor v occurs."""
+        return False
+
+    def rest(self, reach: Reach) -> Monomials:
         """Nothing: it is a polynomial."""
-        del p, force
+        del reach
         return {}
+
+    def moved(self, reach: Reach) -> tuple[Monomials, Monomials]:
+        """Nothing: neither y nor v occurs."""
+        del reach
+        return {}, {}
 
     @property
     def text(self) -> str:
@@ -60,7 +71,7 @@ Alpha = Affine | Analytic
 
 @dataclass(frozen=True)
 class AffineSystem:
-    """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with alpha_i of p and b; the letters are those of the page.
+    """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with alpha_i of p, b, y, v; the letters are those of the page.
 
     :raises ValueError: alpha_1, alpha_2 are not negative at p = b = 0, beta is at most 1 or an integer.
     """
@@ -80,6 +91,11 @@ class AffineSystem:
     def is_exact(self) -> bool:
         """Whether the polynomials of all alphas are."""
         return self.alpha_1.is_exact and self.alpha_2.is_exact and self.alpha_3.is_exact
+
+    @property
+    def moves(self) -> bool:
+        """Whether y or v occurs in an alpha."""
+        return self.alpha_1.moves or self.alpha_2.moves or self.alpha_3.moves
 
     @property
     def a(self) -> Exact:

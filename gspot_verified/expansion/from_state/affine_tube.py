@@ -1,4 +1,4 @@
-"""Theorem B': the bound of the fast deviation where the alphas are functions of p and b, for all epsilon at once.
+"""Theorem B': the bound of the fast deviation where the alphas are functions of the state, for all epsilon at once.
 
 Proof page: ``proofs/from_state.md``, section 8. Every hypothesis is compared in :func:`affine_tube`.
 """
@@ -11,7 +11,7 @@ from functools import cached_property
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.analytic import NoTaylorError, Polynomial
+from gspot_verified.expansion.from_state.analytic import NoTaylorError, Polynomial, Reach
 from gspot_verified.expansion.from_state.barrier import (
     Exponents,
     Monomials,
@@ -32,6 +32,7 @@ from gspot_verified.expansion.from_state.slow_manifold import (
     R,
     SlowManifold,
     excess_terms,
+    height,
     level,
     moving,
     still,
@@ -160,6 +161,8 @@ def affine_tube(
         raise ValueError("p_1 must be at most r^2 of the rectangle, and e positive")
     if norm.series != manifold:
         raise ValueError("the norm is for another slow manifold")
+    if not largest <= 1:
+        raise ValueError("z_max must be at most 1")
     if not (isinstance(manifold.mu, fmpq) or given.p <= 1):
         raise ValueError("p_1 must be at most 1 where beta is a ball")
     if growth.evidence is None:
@@ -349,12 +352,52 @@ class Sums:
         system = manifold.system
         self.force = path.largest(excess.of(manifold.force + L))
         alphas = system.alpha_1, system.alpha_2, system.alpha_3
-        left = [times(one.rest(p, self.force), {(0, 0): ball(1 / system.a).upper()}) for one in alphas]
+        reach = Reach(p, self.force, self._height, self._speed)
+        per: Monomials = {(0, 0): ball(1 / system.a).upper()}
+        left = [times(_sum(one.rest(reach), self._moved(one.moved(reach))), per) for one in alphas]
         self._left = _Left(manifold, excess, left, self.force)
         self.fall = path.largest(_sum(excess.of(manifold.fall - 1), self._left.fall))
         self.back = path.largest(_sum(excess.of(manifold.back), self._left.back))
         self.drift = excess.of(manifold.drift)
         self._below = 1 - self.fall
+
+    @cached_property
+    def _unsteady(self) -> tuple[Monomials, Monomials]:
+        """Bounds of what Y and V differ by from the slow manifold, while z is at most 1."""
+        contact, (first, second, third) = self._manifold.contact, self._shares
+        lag = ball(contact.lag / contact.rate)
+        size = self._excess.of(L)
+        upwards: Monomials = {(0, 0): second, (0, 1): (third + lag * first).upper()}
+        return times(times(upwards, {(0, 0): ball(1 / contact.kappa).upper()}), size), times({(0, 1): first}, size)
+
+    @cached_property
+    def _height(self) -> arb:
+        """\\|y\\| <= this p^3: y = h^2 p^3 Y/a^2."""
+        manifold = self._manifold
+        if not manifold.system.moves:
+            return arb(0)
+        slow = self._excess.of(height(manifold.system, (manifold.force, manifold.u, manifold.w, manifold.f)))
+        per: Monomials = {(2, 0): (1 / ball(manifold.system.a) ** 2).upper()}
+        return self.path.largest(times(_sum(slow, self._unsteady[0]), per))
+
+    @cached_property
+    def _speed(self) -> arb:
+        """\\|v\\| <= this p^2: v = h r^3 V/a, and V = h r u on the slow manifold."""
+        manifold = self._manifold
+        if not manifold.system.moves:
+            return arb(0)
+        per = ball(1 / manifold.system.a).upper()
+        slow = times(self._excess.of(manifold.u), {(2, 0): per})
+        beside: Monomials = {(i + 1, n - 1): value * per for (i, n), value in self._unsteady[1].items()}
+        return self.path.largest(_sum(slow, beside))
+
+    def _moved(self, slopes: tuple[Monomials, Monomials]) -> Monomials:
+        """What the fast part of y and v changes in an alpha, where its slopes by them are these."""
+        by_y, by_v = slopes
+        per = ball(1 / self._manifold.system.a).upper()
+        y = times(self._unsteady[0], {(2, 6): (per * per).upper()})
+        v = times(self._unsteady[1], {(1, 3): per})
+        return _sum(times(by_y, y), times(by_v, v))
 
     def rate(self, growth: arb, largest: arb) -> arb:
         """Gamma of (15)."""

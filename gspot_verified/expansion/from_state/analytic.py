@@ -1,4 +1,4 @@
-"""An alpha that is an analytic function of p and b: its Taylor polynomial at p = b = 0, and a bound of what it leaves.
+"""An alpha that is an analytic function of p, b, y, v: its Taylor polynomial at 0, and a bound of what it leaves.
 
 Proof page: ``proofs/from_state.md``, section 8, "Analytic alpha_i" and (18). The polynomial is exact where its
 coefficients are rational, else they are balls; the bound is a ball.
@@ -12,19 +12,33 @@ from typing import Any
 
 from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from gspot_verified.expansion.from_state.barrier import Monomials
+from gspot_verified.expansion.from_state.barrier import Monomials, added
 from gspot_verified.expansion.series.terms import NumberTerms
 from gspot_verified.functions.ball_polynomials import BallPolynomial, constant
 from gspot_verified.functions.convolution import Convolution, Series, TermByTerm, Weights
-from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.expressions import Expression, Variable, in_order
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.rings import BALLS, RATIONALS, Ring
 from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull, working_bits
 
-_RING = fmpq_mpoly_ctx.get(("p", "b"), Ordering.lex)
+_RING = fmpq_mpoly_ctx.get(("p", "b", "y", "v"), Ordering.lex)
+_WEIGHTS = (1, 1, 3, 2)  # of p, b, y, v: powers of delta^2 near the G-spot
+_MOST = 4  # up to this order y and v occur by themselves, and times p or b, alone
 _BITS = 256  # of coefficients that are not rational
 
 Polynomial = fmpq_mpoly | BallPolynomial
+Place = tuple[Polynomial, Polynomial, Polynomial, Polynomial]
+"""p, b, y, v."""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """0 <= r^2 <= ``p``, \\|b\\| <= ``force`` r^2, \\|y\\| <= ``height`` r^6, \\|v\\| <= ``speed`` r^4."""
+
+    p: fmpq
+    force: arb
+    height: arb
+    speed: arb
 
 
 class NoTaylorError(ValueError):
@@ -33,9 +47,10 @@ class NoTaylorError(ValueError):
 
 @dataclass(frozen=True)
 class Analytic:
-    """``function`` of the state (p, b), its terms below ``order`` in p and b together by themselves.
+    """``function`` of the state (p, b, y, v), its terms of weight below ``order`` by themselves; the weight of p and b
+    is 1, that of v 2, that of y 3.
 
-    :raises ValueError: it is not analytic at p = b = 0.
+    :raises ValueError: it is not analytic at 0; y or v occurs and the order is above 4.
     """
 
     function: Expression
@@ -45,12 +60,14 @@ class Analytic:
     def __post_init__(self) -> None:
         if not self.order > 1:
             raise ValueError(f"the order must be at least 2, got {self.order}")
+        if self.moves and self.order > _MOST:
+            raise ValueError(f"with y or v the order must be at most {_MOST}, got {self.order}")
         _terms(self.function, self.order)
 
     @property
     def value(self) -> Exact:
-        """At p = b = 0; a ball unless all coefficients are rational."""
-        value: Exact = _terms(self.function, self.order)[0].to_dict().get((0, 0), fmpq(0))
+        """At 0; a ball unless all coefficients are rational."""
+        value: Exact = _terms(self.function, self.order)[0].to_dict().get((0,) * 4, fmpq(0))
         return value
 
     @property
@@ -61,37 +78,65 @@ class Analytic:
         )
 
     @property
+    def moves(self) -> bool:
+        """Whether y or v occurs."""
+        return any(isinstance(node, Variable) and node.index > 1 for node in in_order([self.function]))
+
+    @property
     def expression(self) -> Expression:
         """The function of the state (p, b, y, v)."""
         return self.function
 
-    def above(self, p: fmpq_mpoly, b: Polynomial) -> Polynomial:
-        """The Taylor polynomial without ``value`` where p and b are polynomials."""
-        total: Polynomial = p.context().constant(0)
+    def above(self, place: Place) -> Polynomial:
+        """The Taylor polynomial without ``value``."""
+        ring = place[0].context()
+        total: Polynomial = ring.constant(0)
         for term in _terms(self.function, self.order)[1:]:
-            for (i, j), value in term.to_dict().items():
-                total = total + constant(p.context(), value) * p**i * b**j
+            for exponents, value in term.to_dict().items():
+                product = constant(ring, value)
+                for base, exponent in zip(place, exponents, strict=True):
+                    product = product * base ** int(exponent)
+                total = total + product
         return total
 
-    def rest(self, p: fmpq, force: arb) -> Monomials:
-        """A bound of \\|function - polynomial\\| where 0 <= r^2 <= p, \\|b\\| <= ``force`` r^2.
+    def rest(self, reach: Reach) -> Monomials:
+        """A bound of \\|function - polynomial\\| there.
 
         :raises NoTaylorError: it is not certainly analytic there.
         """
-        place = [hull([arb(0), ball(p)]), add_remainder(arb(0), (force * p).upper())]
+        p, force, height, speed = ball(reach.p).upper(), *(either(x) for x in (reach.force, reach.height, reach.speed))
+        rows = [
+            [hull([arb(0), p]), force * p, height * p**3, speed * p**2],
+            [arb(1), force, 3 * height * p**2, 2 * speed * p],
+            [arb(0), arb(0), 3 * height * p, speed],
+            [arb(0), arb(0), height, arb(0)],
+        ]
         series = SeriesOfFunctions([self.function], NumberTerms(BALLS), BALLS)
         try:
-            series.extend(place)
-            series.extend([arb(1), add_remainder(arb(0), force.upper())])
-            for _ in range(self.order - 1):
-                series.extend([arb(0), arb(0)])
+            for n in range(self.order + 1):
+                series.extend(rows[n] if n < len(rows) else [arb(0)] * 4)
         except ValueError as error:
             raise NoTaylorError(str(error)) from error
         return {(0, 2 * self.order): abs(series[self.function][self.order]).upper()}
 
+    def moved(self, reach: Reach) -> tuple[Monomials, Monomials]:
+        """Bounds of what a change of y, and one of v, changes in the polynomial, over that change."""
+        by_y, by_v = Monomials(), Monomials()
+        for term in _terms(self.function, self.order):
+            for (p, b, y, v), value in term.to_dict().items():
+                if y or v:  # one of them once, by the order
+                    size = abs(ball(value)) * reach.force.upper() ** int(b)
+                    added(by_y if y else by_v, {(0, 2 * int(p + b)): size.upper()}, 1)
+        return by_y, by_v
+
+
+def either(bound: arb) -> arb:
+    """All numbers up to this modulus."""
+    return add_remainder(arb(0), bound.upper())
+
 
 class _Homogeneous:
-    """Terms of order n: polynomials of degree n in p and b, with coefficients in the ring."""
+    """Terms of order n: polynomials of weight n in p, b, y, v, with coefficients in the ring."""
 
     def __init__(self, ring: Ring) -> None:
         self._ring = ring
@@ -119,12 +164,12 @@ class _Homogeneous:
 
     def at_start(self, term: Polynomial) -> Any:
         """Its value, where it is one of degree 0."""
-        return self._ring.number(term.to_dict().get((0, 0), fmpq(0)))
+        return self._ring.number(term.to_dict().get((0,) * 4, fmpq(0)))
 
 
 @cache
 def _terms(function: Expression, order: int) -> tuple[Polynomial, ...]:
-    """The parts of degree 0, 1, ..., ``order`` - 1: exact if they can be."""
+    """The parts of weight 0, 1, ..., ``order`` - 1: exact if they can be."""
     try:
         return _terms_in(function, order, RATIONALS)
     except (TypeError, ValueError):  # one is not rational; or the function is not analytic there, and this raises, too
@@ -135,8 +180,8 @@ def _terms(function: Expression, order: int) -> tuple[Polynomial, ...]:
 def _terms_in(function: Expression, order: int, ring: Ring) -> tuple[Polynomial, ...]:
     terms = _Homogeneous(ring)
     series = SeriesOfFunctions([function], terms, ring)
-    series.extend([terms.zero(0), terms.zero(0)])
-    series.extend(list(_RING.gens()))
-    for n in range(2, order):
-        series.extend([terms.zero(n), terms.zero(n)])
+    for n in range(order):
+        series.extend([
+            part if weight == n else terms.zero(n) for part, weight in zip(_RING.gens(), _WEIGHTS, strict=True)
+        ])  # fmt: skip
     return tuple(series[function])

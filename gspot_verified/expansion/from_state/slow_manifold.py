@@ -1,4 +1,4 @@
-"""The slow manifold where the alphas depend on p and b, by polynomials in h, r and L, and its reference force.
+"""The slow manifold where the alphas depend on the state, by polynomials in h, r and L, and its reference force.
 
 Proof page: ``proofs/from_state.md``, section 8. Exact rationals where the Taylor coefficients are, else balls, by
 Lemma Z there; h = e/p^(3/2), r = sqrt(p), L the excess of -b/p over the reference force. The names are those of the
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from gspot_verified.expansion.from_state.affine_system import AffineSystem
-from gspot_verified.expansion.from_state.analytic import Polynomial
+from gspot_verified.expansion.from_state.analytic import Place, Polynomial
 from gspot_verified.expansion.from_state.slow_series import RING as LEVEL
 from gspot_verified.expansion.from_state.slow_series import Contact
 from gspot_verified.functions.ball_polynomials import BallPolynomial, constant, polynomial_of
@@ -121,14 +121,14 @@ def slow_manifold(system: AffineSystem, cut: Cut) -> SlowManifold:
     """The polynomials that the iteration of section 8 leaves as they are: Lemma Z says after how many rounds."""
     force, u, w, f = constant(RING, system.mean_force), *[constant(RING, fmpq(0))] * 3
     for _ in range(cut.rounds):
-        rules = _Rules.of(system, force, w, cut.of)
+        rules = _Rules.of(system, (force, u, w, f), cut.of)
         pushed = cut.of(rules.pushed(w, f) / rules.contact.kappa, 1)
         after = rules.still_force(cut), pushed, cut.of(rules.followed(u)), cut.of(rules.lagged(w, f))
         if system.is_exact and (force, u, w, f) == after:
             break
         force, u, w, f = after
     force, u, w, f = (_without(one, lambda i, n, k: k == 0 and n + 2 < 3 * i) for one in (force, u, w, f))  # Lemma T
-    rules = _Rules.of(system, force, w)
+    rules = _Rules.of(system, (force, u, w, f))
     fall, back, contact = rules.fall, rules.back, rules.contact
     first, second = (w - rules.followed(u)) / H, rules.pushed(w, f) - contact.kappa * u
     third = contact.rate * (rules.lagged(w, f) - f) / H
@@ -170,13 +170,14 @@ class _Rules:
     def of(
         cls,
         system: AffineSystem,
-        force: Polynomial,
-        w: Polynomial,
+        parts: Place,
         short: Callable[[Polynomial], Polynomial] = lambda whole: whole,
     ) -> _Rules:
-        p, b, unit = R * R, -R * R * (force + L), constant(RING, 1 / system.a)
+        force, _, w, _ = parts
+        unit = constant(RING, 1 / system.a)
+        place = _place(system, parts)
         first, second, third = (
-            short(one.above(p, b) * unit) for one in (system.alpha_1, system.alpha_2, system.alpha_3)
+            short(one.above(place) * unit) for one in (system.alpha_1, system.alpha_2, system.alpha_3)
         )
         own, steady = constant(RING, system.alpha_2.value / system.a), constant(RING, system.beta - 1)
         beside = own + second + (first - third) * (force + L)
@@ -213,6 +214,23 @@ class _Rules:
         """f + h F_3/g."""
         rate = self.contact.rate
         return self.contact.lag / rate**2 * w - H * R * (self.along(f) - self.fall * f) / rate
+
+
+def _place(system: AffineSystem, parts: Place) -> Place:
+    """p, b, y, v where x = 0, for ``parts`` force, u, w, f; 0 for y, v where they are not needed."""
+    force, u, _, _ = parts
+    p, b, nothing = R * R, -R * R * (force + L), RING.constant(0)
+    if not system.moves:
+        return p, b, nothing, nothing
+    per = constant(RING, 1 / system.a)
+    return p, b, H**2 * R**6 * per**2 * height(system, parts), H**2 * R**4 * per * u
+
+
+def height(system: AffineSystem, parts: Place) -> Polynomial:
+    """Y where x = 0."""
+    force, u, w, f = parts
+    contact = Contact.of(system.regularisation)
+    return (R * R * f - force - L - w - contact.lag / contact.rate * H * R * u) / contact.kappa
 
 
 def level(polynomial: Polynomial) -> Polynomial:

@@ -1,4 +1,4 @@
-"""Mechanisms whose alpha_1, alpha_2, alpha_3 are functions of p and b, and their explicit epsilon_0 from a state.
+"""Mechanisms whose alpha_1, alpha_2, alpha_3 depend on p, b, y, v alone, and their explicit epsilon_0 from a state.
 
 Proof page: ``proofs/from_state.md``, section 8. That they are such functions is an identity of rational functions of
 the components and of the roots, sines, cosines, exponentials and logarithms that occur.
@@ -37,8 +37,8 @@ _ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is r
 
 
 def with_explicit(found: MechanismSide, mechanism: Mechanism, start: StateInput) -> MechanismSide:
-    """The same with ``explicit``, where the alphas are functions of p and b that are analytic at the G-spot, and p, b
-    are components that the state gives as rational numbers."""
+    """The same with ``explicit``, where the alphas are functions of p, b, y, v that are analytic at the G-spot, and
+    these are components, p and b given by the state as rational numbers."""
     if found.side is None:
         return found
     try:
@@ -52,29 +52,31 @@ def with_explicit(found: MechanismSide, mechanism: Mechanism, start: StateInput)
 
 
 def affine_system_of(mechanism: Mechanism) -> tuple[tuple[str, str], AffineSystem] | None:
-    """The names of p and b among the components, and the alphas as functions of them; None if they are not.
+    """The names of p and b among the components, and the alphas as functions of p, b, y, v; None if they are not. y and
+    v must be components where an alpha depends on them.
 
     An angle with a reference is none of them: its value in a state is not the one that the functions count.
 
     :raises ValueError: an alpha is not analytic at p = b = 0.
     """
     functions = shift(mechanism).functions
-    wanted = (functions.p, functions.b, functions.alpha_1, functions.alpha_2, functions.alpha_3)
-    fractions = _fractions(wanted, len(mechanism.state))
+    alphas = functions.alpha_1, functions.alpha_2, functions.alpha_3
+    fractions = _fractions((functions.p, functions.b, functions.y, functions.v, *alphas), len(mechanism.state))
     if fractions is None:
         return None
     generators = fractions.variables
-    places = [generators.index(one) for one in fractions.polynomials[:2] if one in generators]
-    if len(places) != 2:
+    places = [generators.index(one) if one in generators else None for one in fractions.polynomials[:4]]
+    p, b, y, v = places
+    if p is None or b is None:
         return None
-    first, second, third = (fractions.of_two(k, places[0], places[1]) for k in (2, 3, 4))
+    first, second, third = (fractions.of_state(k, p, b, y, v) for k in (4, 5, 6))
     if first is None or second is None or third is None:
         return None
     if not (first.value < 0 and second.value < 0 and third.value < first.value):
         return None
     if holds_integer(third.value / first.value):  # beta is an integer: the reference has a logarithm
         return None
-    names = mechanism.state[places[0]], mechanism.state[places[1]]
+    names = mechanism.state[p], mechanism.state[b]
     if any(angle.coordinate in names for angle in mechanism.angles):
         return None
     return names, AffineSystem(first, second, third, mechanism.regularisation)
@@ -93,14 +95,16 @@ class _Fractions:
         """Those that are polynomials."""
         return [above / below.leading_coefficient() if below.is_constant() else None for above, below in self.quotients]
 
-    def of_two(self, number: int, p: int, b: int) -> Affine | Analytic | None:
-        """The function as one of the two components; None if it depends, or may depend, on others."""
+    def of_state(self, number: int, p: int, b: int, y: int | None, v: int | None) -> Affine | Analytic | None:
+        """The function as one of p, b, y, v, which are these components; None if it depends, or may depend, on
+        others."""
         above, below = self.quotients[number]
-        table: dict[Expression, Expression] = {Variable(p): Variable(0), Variable(b): Variable(1)}
+        known = {place: k for k, place in enumerate((p, b, y, v)) if place is not None}
+        table: dict[Expression, Expression] = {Variable(place): Variable(k) for place, k in known.items()}
         components: list[Expression] = [Variable(i) for i in range(len(self.variables))]
         generators = [*components, *self.atoms]
         used = [i for i, power in enumerate(zip(above.degrees(), below.degrees(), strict=True)) if any(power)]
-        if any(components_of(generators[i]) - {p, b} for i in used):
+        if any(components_of(generators[i]) - set(known) for i in used):
             return None
         affine = _affine(self.polynomials[number], p, b)
         if affine is not None:
@@ -130,12 +134,13 @@ def _expression(polynomial: fmpq_mpoly, generators: Sequence[Expression]) -> Exp
     return Sum(tuple(terms))
 
 
+_NAMES = ("p", "b", "y", "v")
 _WORDS = Target(
-    variable=["p", "b"].__getitem__,
+    variable=_NAMES.__getitem__,
     constant=lambda value: f"({value})" if value < 0 or value.q != 1 else str(value),
     sum=lambda parts: f"({' + '.join(parts)})",
     product="{}*{}".format,
-    power=lambda base, exponent: f"{base if base in ('p', 'b') else f'({base})'}^({exponent})",
+    power=lambda base, exponent: f"{base if base in _NAMES else f'({base})'}^({exponent})",
     function="{}({})".format,
 )
 

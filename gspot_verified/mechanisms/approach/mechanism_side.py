@@ -38,7 +38,7 @@ class MechanismSide(NoTruthValue, Written):
     ``verdict.detail`` says what is not certain. "For small epsilon": there is an epsilon_0 > 0, in an impact for every
     force; it is not computed, and nothing is said of any one epsilon.
     ``approach`` is what was proved for rigid slip, ``active`` names the components on which the contact depends.
-    ``explicit``, where it was asked for and the alphas are functions of p and b: an epsilon_0 for a set of starts.
+    ``explicit``, where it was asked for and the alphas are functions of p, b, y, v: an epsilon_0 for a set of starts.
     """
 
     written: ClassVar[str] = "side active verdict explicit " + under(

@@ -30,7 +30,7 @@ def test_the_numbers_of_the_spot() -> None:
 
 
 def test_an_affine_function_of_polynomials() -> None:
-    assert BENT.alpha_1.above(R * R, H + 1) == RING.constant(fmpq(-2)) + R * R / 3 - 2 * H
+    assert BENT.alpha_1.above((R * R, H + 1, H, R)) == RING.constant(fmpq(-2)) + R * R / 3 - 2 * H
     assert BENT.alpha_1.value == fmpq(-4, 5)
 
 

@@ -20,6 +20,7 @@ from gspot_verified.expansion.from_state.affine_tube import (
     carried,
     power_of,
 )
+from gspot_verified.expansion.from_state.analytic import Reach
 from gspot_verified.expansion.from_state.barrier import Monomials, layer, layer_integral, paid
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
 from gspot_verified.expansion.from_state.slow_manifold import RING, Cut, L, SlowManifold
@@ -74,8 +75,9 @@ class Bent(Affine):
     left: fmpq = NONE
     asked: list[Any] = field(default_factory=list, compare=False)
 
-    def rest(self, p: fmpq, force: arb) -> Monomials:
-        self.asked.append((p, force))
+    def rest(self, reach: Reach) -> Monomials:
+        assert reach.height == reach.speed == 0
+        self.asked.append((reach.p, reach.force))
         return {(0, 8): arb(self.left)} if self.left else {}
 
 

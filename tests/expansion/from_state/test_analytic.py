@@ -11,7 +11,7 @@ import pytest
 from flint import arb, fmpq
 from mpmath import mpf
 
-from gspot_verified.expansion.from_state.analytic import Analytic, NoTaylorError
+from gspot_verified.expansion.from_state.analytic import Analytic, NoTaylorError, Reach
 from gspot_verified.expansion.from_state.slow_manifold import RING, H, L, R
 from gspot_verified.functions.ball_polynomials import constant
 from gspot_verified.functions.expressions import (
@@ -27,7 +27,7 @@ from gspot_verified.functions.expressions import (
 from gspot_verified.numbers.balls import ball, working_bits
 from tests.expansion.from_state.test_barrier_numbers import in_mpmath, number
 
-P, B = Variable(0), Variable(1)
+P, B, Y, V = (Variable(i) for i in range(4))
 
 
 def rational(*value: int) -> Expression:
@@ -37,9 +37,74 @@ def rational(*value: int) -> Expression:
 ONE = rational(1)
 
 
-def whole(alpha: Analytic, p: Any, b: Any) -> Any:
-    """The Taylor polynomial where p and b are polynomials."""
-    return constant(RING, alpha.value) + alpha.above(p, b)
+def whole(alpha: Analytic, p: Any, b: Any, y: Any = 0 * L, v: Any = 0 * L) -> Any:
+    """The Taylor polynomial where p, b, y, v are polynomials."""
+    return constant(RING, alpha.value) + alpha.above((p, b, y, v))
+
+
+def reach(p: fmpq, force: arb) -> Reach:
+    """With y = v = 0."""
+    return Reach(p, force, arb(0), arb(0))
+
+
+MOVING: list[tuple[Expression, Callable[..., mpf]]] = [
+    (Sine(P + rational(2) * V) + Y * B - ONE, lambda p, b, y, v: mpmath.sin(p + 2 * v) + y * b - 1),
+    (Power(ONE + P - B + V, fmpq(-1)) + Y, lambda p, b, y, v: 1 / (1 + p - b + v) + y),
+    (Exponential(P * B + Y) * Cosine(V) + P * V, lambda p, b, y, v: mpmath.exp(p * b + y) * mpmath.cos(v) + p * v),
+    (rational(3) * V * B - Y * rational(1, 7) + V * V, lambda _, b, y, v: 3 * v * b - y / 7 + v * v),
+]
+
+
+@pytest.mark.parametrize(("function", "value"), MOVING)
+@pytest.mark.parametrize("order", [2, 3, 4])
+def test_with_y_and_v_what_is_left_is_within_the_bound(
+    function: Expression, value: Callable[..., mpf], order: int
+) -> None:
+    """At random states, and how far the polynomial is from the one with other y, v."""
+    draw, alpha = random.Random(7), Analytic(function, order, "f")
+    assert alpha.moves
+    with mpmath.workdps(40), working_bits(128):
+        given = Reach(fmpq(1, 20), arb(2), arb(3), arb(4))
+        ((key, bound),) = alpha.rest(given).items()
+        by_y, by_v = alpha.moved(given)
+        assert key == (0, 2 * order)
+        terms = whole(alpha, H, R, L, H * R * L**4).to_dict()
+
+        def polynomial(p: mpf, b: mpf, y: mpf, v: mpf) -> mpf:
+            total = mpf(0)
+            for (i, j, k), c in terms.items():  # v alone makes h r L^4
+                times = int(k) // 4
+                total += number(fmpq(c)) * p ** (int(i) - times) * b ** (int(j) - times) * y ** (int(k) % 4) * v**times
+            return total
+
+        seen = mpf(0)
+        for _ in range(200):
+            p = mpf(draw.random()) / 20
+            most = 2 * p, 3 * p**3, 4 * p**2
+            b, y, v = (draw.choice([mpf(1), mpf(-1), mpf(draw.uniform(-1, 1))]) * one for one in most)
+            left = abs(value(p, b, y, v) - polynomial(p, b, y, v))
+            seen = max(seen, left / p**order)
+            assert left <= in_mpmath(bound) * p**order * (1 + mpf(10) ** -30)
+            other_y, other_v = y * draw.uniform(-1, 1), v * draw.uniform(-1, 1)
+            sizes = [
+                sum((in_mpmath(c) * p ** (mpf(int(n)) / 2) for (_, n), c in one.items()), mpf(0))
+                for one in (by_y, by_v)
+            ]
+            moved = abs(polynomial(p, b, y, v) - polynomial(p, b, other_y, other_v))
+            assert moved <= (sizes[0] * abs(y - other_y) + sizes[1] * abs(v - other_v)) * (1 + mpf(10) ** -30)
+        assert in_mpmath(bound) < 100 * seen + mpf(10) ** -20
+
+
+def test_only_weights_below_the_order_are_in_the_polynomial() -> None:
+    """y has the weight 3, v the weight 2."""
+    alpha = Analytic(ONE + Y * rational(2) + V * rational(3) + P * V + V * V + Y * P, 4, "f")
+    assert whole(alpha, H, R, L, H * R * L**4) == 1 + 2 * L + 3 * H * R * L**4 + H**2 * R * L**4
+    assert whole(Analytic(alpha.function, 3, "f"), H, R, L, H) == 1 + 3 * H
+    assert whole(Analytic(alpha.function, 2, "f"), H, R, L, H) == RING.constant(1)
+    for function in (Y, P * V):
+        with pytest.raises(ValueError, match="at most 4"):
+            Analytic(function - ONE, 5, "f")
+    assert not Analytic(P - ONE, 5, "f").moves
 
 
 CASES: list[tuple[Expression, Callable[[mpf, mpf], mpf]]] = [
@@ -76,7 +141,7 @@ def test_what_is_left_is_within_the_bound(
     """At random states with 0 <= p' <= p, |b| <= force p', and at the corners."""
     draw, most, alpha = random.Random(2), fmpq(1, 30), Analytic(function, order, "f")
     with mpmath.workdps(40), working_bits(128):
-        ((key, bound),) = alpha.rest(most, arb(fmpq(force))).items()
+        ((key, bound),) = alpha.rest(reach(most, arb(fmpq(force)))).items()
         assert key == (0, 2 * order)
         polynomial = whole(alpha, H, R).to_dict()
         for _ in range(200):
@@ -88,14 +153,14 @@ def test_what_is_left_is_within_the_bound(
 
 def test_the_bound_is_attained() -> None:
     """2 b^2 + p^2 with |b| <= 3 p leaves at most 19 p^2; 1/(1 - p) leaves p^2/(1 - p), the bound is 1/(1 - p_1)^3."""
-    square = Analytic(rational(2) * B * B + P * P, 2, "f").rest(fmpq(1, 9), arb(3))
+    square = Analytic(rational(2) * B * B + P * P, 2, "f").rest(reach(fmpq(1, 9), arb(3)))
     assert abs(square[0, 4] - 19) < arb("1e-6")
-    tail = Analytic(Power(ONE - P, fmpq(-1)), 2, "f").rest(fmpq(1, 2), arb(3))
+    tail = Analytic(Power(ONE - P, fmpq(-1)), 2, "f").rest(reach(fmpq(1, 2), arb(3)))
     assert abs(tail[0, 4] - 8) < arb("1e-6")
 
 
 def test_a_polynomial_below_the_order_leaves_nothing() -> None:
-    bound = Analytic(rational(3) * P * P * B - B * B - ONE, 4, "f").rest(fmpq(1, 2), arb(7))
+    bound = Analytic(rational(3) * P * P * B - B * B - ONE, 4, "f").rest(reach(fmpq(1, 2), arb(7)))
     assert bound == {(0, 8): 0}
 
 
@@ -116,8 +181,8 @@ def test_a_box_that_may_hold_a_pole_is_refused(pole: fmpq) -> None:
     for function in (inverse, scaled):
         alpha = Analytic(function, 3, "f")
         with pytest.raises(NoTaylorError):
-            alpha.rest(abs(pole) / 2, arb(2))
-        assert alpha.rest(abs(pole) * fmpq(49, 100), arb(2))[0, 6].is_finite()
+            alpha.rest(reach(abs(pole) / 2, arb(2)))
+        assert alpha.rest(reach(abs(pole) * fmpq(49, 100), arb(2)))[0, 6].is_finite()
 
 
 @pytest.mark.parametrize(

@@ -28,8 +28,9 @@ from gspot_verified.numbers.verdict import Outcome
 from tests.expansion.from_state.test_affine_hand_over_of_runs import arrives
 from tests.witnesses.stiff_contact import State, StiffContact, fate
 
-P, B = Variable(0), Variable(1)
-Function = Callable[[arb, arb], arb]
+P, B, Y, V = (Variable(i) for i in range(4))
+Function = Callable[..., arb]
+"""Of p, b, y, v."""
 
 
 def rational(*value: int) -> Expression:
@@ -54,17 +55,28 @@ MIXED = replace(
     alpha_1=analytic(rational(-1, 3) * Exponential(rational(1)) + B + Power(rational(1) + P, fmpq(-1, 2)) * P * P),
     alpha_3=analytic(rational(-1) * Power(rational(5), fmpq(1, 2)) + Sine(P) * rational(2)),
 )  # beta = 3 sqrt(5)/e = 2.4678...
+MOVING = AffineSystem(
+    analytic(rational(-1) + B + V * rational(3) + Sine(P) * B + Y),
+    analytic(rational(-2) + Exponential(B + V) - P * B),
+    analytic(rational(-3, 2) + Sine(P + V * rational(2)) * rational(2) - Y * rational(5) + P * V),
+    PAPER,
+)  # beta = 3/2
 STEEP = replace(BENT, alpha_3=analytic(rational(-5, 2) * Power(rational(1) + P * B, fmpq(-1))))
 TRUE: list[Function] = [
-    lambda p, b: -1 + b + p.sin() * b + p * p / (1 + p).sqrt(),
-    lambda p, b: b.exp() - 2 - p * b,
-    lambda p, b: 2 * p.sin() - arb(fmpq(3, 2)) + b * b,
+    lambda p, b, *_: -1 + b + p.sin() * b + p * p / (1 + p).sqrt(),
+    lambda p, b, *_: b.exp() - 2 - p * b,
+    lambda p, b, *_: 2 * p.sin() - arb(fmpq(3, 2)) + b * b,
 ]
-TRUE_IRRATIONAL: list[Function] = [*TRUE[:2], lambda p, b: 2 * p.sin() - arb(2).sqrt() + b * b]
+TRUE_IRRATIONAL: list[Function] = [*TRUE[:2], lambda p, b, *_: 2 * p.sin() - arb(2).sqrt() + b * b]
 TRUE_MIXED: list[Function] = [
-    lambda p, b: b - arb(1).exp() / 3 + p * p / (1 + p).sqrt(), TRUE[1], lambda p, _: 2 * p.sin() - arb(5).sqrt(),
+    lambda p, b, *_: b - arb(1).exp() / 3 + p * p / (1 + p).sqrt(), TRUE[1], lambda p, *_: 2 * p.sin() - arb(5).sqrt(),
 ]  # fmt: skip
-TRUE_STEEP: list[Function] = [*TRUE[:2], lambda p, b: -arb(fmpq(5, 2)) / (1 + p * b)]
+TRUE_MOVING: list[Function] = [
+    lambda p, b, y, v: -1 + b + 3 * v + p.sin() * b + y,
+    lambda p, b, _, v: (b + v).exp() - 2 - p * b,
+    lambda p, _, y, v: 2 * (p + 2 * v).sin() - arb(fmpq(3, 2)) - 5 * y + p * v,
+]
+TRUE_STEEP: list[Function] = [*TRUE[:2], lambda p, b, *_: -arb(fmpq(5, 2)) / (1 + p * b)]
 
 
 class TrueContact(StiffContact):
@@ -76,7 +88,7 @@ class TrueContact(StiffContact):
 
     def rates(self, u: State) -> State:
         p, b, y, v, z = u
-        first, second, third = (function(p, b) for function in self._functions)
+        first, second, third = (function(p, b, self._epsilon**2 * y, self._epsilon * v) for function in self._functions)
         force, e = z - y, self._epsilon
         return [first, second - third * force, v / e, (b + p * force) / e, (-z - force) / e]
 
@@ -200,9 +212,11 @@ def runs_end(found: AffineSide, functions: list[Function], affine: list[list[fmp
         (IRRATIONAL, fmpq(1, 100), fmpq(1, 2), "lift-off", fmpq(1, 4 * 10**6), TRUE_IRRATIONAL, AFFINE_IRRATIONAL),
         (IRRATIONAL, fmpq(1, 100), fmpq(-1, 2), "impact", fmpq(1, 4 * 10**6), TRUE_IRRATIONAL, AFFINE_IRRATIONAL),
         (MIXED, fmpq(1, 50), fmpq(1, 3), "impact", fmpq(1, 2 * 10**6), TRUE_MIXED, AFFINE_MIXED),
+        (MOVING, fmpq(1, 100), fmpq(1, 2), "lift-off", fmpq(1, 4 * 10**6), TRUE_MOVING, AFFINE_PARTS),
+        (MOVING, fmpq(1, 100), fmpq(-1, 2), "impact", fmpq(1, 4 * 10**6), TRUE_MOVING, AFFINE_PARTS),
     ],
 )
-def test_irrational_numbers_have_the_side_of_runs(
+def test_other_systems_have_the_side_of_runs(
     system: AffineSystem,
     p: fmpq,
     excess: fmpq,

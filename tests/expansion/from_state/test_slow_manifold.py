@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import pytest
 from flint import fmpq, fmpq_mpoly
 
-from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
+from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem, Alpha
+from gspot_verified.expansion.from_state.analytic import Analytic
 from gspot_verified.expansion.from_state.fast_growth import fast_matrix
 from gspot_verified.expansion.from_state.slow_manifold import (
     Cut,
@@ -24,7 +25,7 @@ from gspot_verified.expansion.from_state.slow_manifold import (
 from gspot_verified.expansion.from_state.slow_series import slow_series, terms_of
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.series.terms import NumberTerms
-from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.expressions import Constant, Expression, Variable
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.rings import RATIONALS
 from tests.expansion.from_state.test_affine_system import BENT, EXTENDED, STEEPER
@@ -72,7 +73,9 @@ class Rates:
         b, force, epsilon = -p * rigid, rigid + along / p, self.h * self.r**3 / system.a
         height = (phi - force - contact.lag / contact.rate * speed) / contact.kappa
         assert along == b + p * force
-        self.alphas = [value_at(one.expression, p, b) for one in (system.alpha_1, system.alpha_2, system.alpha_3)]
+        alphas = system.alpha_1, system.alpha_2, system.alpha_3
+        whole = p, b, epsilon**2 * height, epsilon * speed
+        self.alphas = [value_at(one.expression, *whole) for one in alphas]
         self.p = epsilon * self.alphas[0]
         b_rate = epsilon * (self.alphas[1] - self.alphas[2] * force)
         z = height + force / springs.k_2
@@ -110,6 +113,16 @@ class Rates:
         ]
 
 
+def with_motion(alpha: Alpha, *slopes: fmpq) -> Analytic:
+    """With y, v and p v."""
+    p, y, v = Variable(0), Variable(2), Variable(3)
+    terms: list[Expression] = [y, v, p * v]
+    function = alpha.expression
+    for slope, term in zip(slopes, terms, strict=True):
+        function = function + Constant(slope) * term
+    return Analytic(function, 4, "f")
+
+
 def drawn(manifold: SlowManifold, count: int) -> list[Rates]:
     draw = random.Random(4)
 
@@ -139,7 +152,32 @@ def test_the_fast_deviation_obeys_its_equations_exactly(system: AffineSystem) ->
             assert rate == whole
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
+MOVING = [
+    replace(
+        system,
+        alpha_1=with_motion(system.alpha_1, fmpq(3), fmpq(-1, 2), fmpq(2)),
+        alpha_2=with_motion(system.alpha_2, fmpq(-1, 3), fmpq(1), fmpq(1, 5)),
+        alpha_3=with_motion(system.alpha_3, fmpq(2), fmpq(4), fmpq(-3)),
+    )
+    for system in (EXTENDED, STEEPER)
+]
+
+
+@pytest.mark.parametrize("system", MOVING)
+def test_with_y_and_v_it_is_exact_where_x_is_0(system: AffineSystem) -> None:
+    """y = epsilon^2 Y, v = epsilon V are put into the alphas; the rates are the true ones."""
+    manifold = manifold_of(system)
+    assert system.moves
+    for drawn_state in drawn(manifold, 20):
+        state = replace(drawn_state, x=(fmpq(0),) * 3)
+        unit, p = state.h * state.r, state.r**2
+        assert state.at(manifold.fall) == -state.alphas[0] / system.a
+        assert state.at(manifold.back) == -state.alphas[2] / system.a
+        assert state.L_rate == -unit * state.at(manifold.slow)
+        assert state.x_rate == tuple(unit * p * state.at(one) for one in manifold.residual)
+
+
+@pytest.mark.parametrize("system", [*SYSTEMS, *MOVING])
 def test_only_what_was_cut_is_left(system: AffineSystem) -> None:
     """In the residuals over L, in S at L = 0, and in S - (beta - 1 + D) A_1 L."""
     order, weight = 4, 5

@@ -15,24 +15,24 @@ from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 from gspot_verified.functions.expressions import Constant, Expression, Variable
 from gspot_verified.numbers.balls import ball, working_bits
 
-P, B = Variable(0), Variable(1)
+P, B, Y, V = (Variable(i) for i in range(4))
 CUT = Cut(3, fmpq(5), fmpq(83, 100))
 OTHER = Regularisation.of(2, 3, "1/2")
 MIDDLES = (
-    ("-1", "1/3", "-2", "1/5", "1", "-1/2"),
-    ("-7/6", "3/4", "1/2", "0", "-1/3", "1"),
-    ("-1.4142", "-2", "5/3", "1/7", "2", "1/9"),
+    ("-1", "1/3", "-2", "1/5", "1", "-1/2", "2", "1/3", "-1"),
+    ("-7/6", "3/4", "1/2", "0", "-1/3", "1", "-1/2", "1", "3/2"),
+    ("-1.4142", "-2", "5/3", "1/7", "2", "1/9", "3", "-2", "1/4"),
 )
 WIDTH = fmpq(1, 10**6)
 
 
 def alpha(numbers: list[fmpq | arb]) -> Analytic:
     constants = [Constant(value) for value in numbers]
-    terms: list[Expression] = [P, B, P * P, P * B, B * B]
+    terms: list[Expression] = [P, B, P * P, P * B, B * B, V, Y, P * V]
     function: Expression = constants[0]
     for value, term in zip(constants[1:], terms, strict=True):
         function = function + value * term
-    return Analytic(function, 3, "f")
+    return Analytic(function, 4, "f")
 
 
 def exact_numbers(draw: random.Random | None) -> list[list[fmpq]]:

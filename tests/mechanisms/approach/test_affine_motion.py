@@ -58,7 +58,7 @@ SWAPPED = (
     [
         ('"alpha_1 + p/5 + b"', '"alpha_1 + x"'),
         ('"alpha_2 - p + 2*b"', '"alpha_2 + u"'),
-        ("3*p", "y"),
+        ("3*p", "y*x"),
         ("alpha_1 + p/5", "sin(x) + alpha_1 + p/5"),
         ("alpha_1 + p/5", "sin(p + x) + alpha_1 + p/5"),
         ("alpha_1 + p/5", "alpha_1/(1 + u*p)"),
@@ -95,6 +95,21 @@ def test_analytic_alphas_are_found(new: str, value: Callable[[float, float], flo
         assert abs(float(at.mid()) - value(0.125, -0.0625)) < 1e-12
         names = {"p": 0.125, "b": -0.0625, "sin": mpmath.sin, "exp": mpmath.exp}
         assert abs(eval(alpha.text.replace("^", "**"), names) - value(0.125, -0.0625)) < 1e-12, alpha.text
+
+
+def test_alphas_may_depend_on_y_and_v() -> None:
+    """In this order: the components are x, u, y, v, p, b."""
+    found = found_in(("alpha_1 + p/5", "alpha_1 + sin(v)*p + 3*y"), ("alpha_2 - p", "alpha_2 - v"))
+    assert found is not None
+    first, second, third = found[1].alpha_1, found[1].alpha_2, found[1].alpha_3
+    assert isinstance(first, Analytic)
+    assert isinstance(second, Analytic)
+    assert third == Affine(fmpq(-3, 4), fmpq(3))
+    assert (first.moves, second.moves, found[1].moves) == (True, True, True)
+    values = BoxProgram([first.function, second.function], 4).values([arb(x) for x in ("0.5", "0.25", "0.125", "2")])
+    assert abs(values[0] - (arb(2).sin() / 2 + arb("0.125"))) < arb("1e-12")
+    assert values[1] == arb("-2.5")
+    assert set("vy") <= set(first.text)
 
 
 def test_taylor_coefficients_need_not_be_rational() -> None:
