@@ -5,6 +5,7 @@ Oscillations of the contact, the separatrix, Case II, and the end of a flight.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import chain
 from typing import Any
 
@@ -36,8 +37,8 @@ DISCRIMINANT = "-p*(4*p^2 - 13*p + 32)"
 AT = (fmpq(1, 100), fmpq(1, 2), fmpq(2))
 SEPARATED = (fmpq(3, 2), fmpq(5, 2))
 """The β of panels (b) and (c)."""
-PAIRS = ((fmpq(1, 4), fmpq(4)), (fmpq(1, 2), fmpq(2)))
-"""ν on the two sides of the trivial solution ν = 1."""
+SIDES = ((fmpq(1, 4), fmpq(1, 2)), (fmpq(2), fmpq(4)))
+"""The ν on each of the two sides of the trivial solution ν = 1."""
 CASE_II_SIGNS = {"alpha_1": "-u - x", "alpha_2": "y", "alpha_3": "-x"}
 """Case II by positive symbols."""
 TRIVIAL = {"b": "-r*p", "v": "0*p", "y": "-2*e^2*r", "z": "-e^2*r"}
@@ -114,23 +115,31 @@ def _oscillations() -> Entry:
     )
 
 
-def parted(beta: fmpq, low: fmpq, high: fmpq) -> bool | None:
-    """Whether for every ε up to the stated one of the two runs lifts off and the other takes an impact."""
-    found = {varsim1.proved_fate(beta, nu) for nu in (low, high)}
-    return None if None in found else found == {varsim1.IMPACT, varsim1.LIFT_OFF}
+def parted(beta: fmpq) -> bool | None:
+    """Whether for every ε up to the stated one all runs of one side lift off and all of the other take an impact."""
+    return _one_each(
+        [[varsim1.proved_fate(beta, nu) for nu in side] for side in SIDES], {varsim1.IMPACT, varsim1.LIFT_OFF}
+    )
 
 
-def sides_differ(beta: fmpq, low: fmpq, high: fmpq) -> bool | None:
-    """Whether K has opposite signs at three ε; K is linear in the deviation, so in ν - 1."""
-    answers: list[bool | None] = []
-    for epsilon in varsim1.POINTS:
-        signs = [sign_of(side_rule(*varsim1.initial_state(beta, nu, epsilon)).side) for nu in (low, high)]
-        answers.append(None if None in signs else set(signs) == {1, -1})
-    return all_of(answers)
+def sides_differ(beta: fmpq) -> bool | None:
+    """Whether at each of three ε K has one sign on one side and the opposite one on the other."""
+    found = [
+        [[sign_of(side_rule(*varsim1.initial_state(beta, nu, e)).side) for nu in side] for side in SIDES]
+        for e in varsim1.POINTS
+    ]
+    return all_of([_one_each(signs, {1, -1}) for signs in found])
+
+
+def _one_each(found: Sequence[Sequence[object]], expected: set[Any]) -> bool | None:
+    """Whether all of each side agree, and the sides have the two that are expected."""
+    if any(None in side for side in found):
+        return None
+    agreed = [set(side) for side in found]
+    return all(len(side) == 1 for side in agreed) and set().union(*agreed) == expected
 
 
 def _separatrix() -> Entry:
-    places = [(beta, low, high) for beta in SEPARATED for low, high in PAIRS]
     ranges = ", ".join(f"β = {beta} (every ε <= {varsim1.EPSILON_0[beta]})" for beta in SEPARATED)
     return SECTION.settled(
         "3-separatrix",
@@ -138,10 +147,10 @@ def _separatrix() -> Entry:
         r"\text{the trivial solution appears to form a separatrix}",
         f"{ranges}: of the runs ν = 1/4, 1/2 and ν = 2, 4 of fig. varsim1 on the two sides of the trivial solution "
         "ν = 1, those of one side lift off and those of the other take an impact",
-        Rung.BALLS.check("proofs/paper_runs.md, Theorem A'", all_of(parted(*place) for place in places)),
+        Rung.BALLS.check("proofs/paper_runs.md, Theorem A'", all_of(parted(beta) for beta in SEPARATED)),
         Rung.POINTS.check(
-            "K has opposite signs on the two sides at ε = 10^-3, 10^-6, 10^-12; it is linear in ν - 1",
-            all_of(sides_differ(*place) for place in places),
+            "K has one sign on one side and the opposite one on the other at ε = 10^-3, 10^-6, 10^-12",
+            all_of(sides_differ(beta) for beta in SEPARATED),
         ),
         note="For data off the slow manifold the separatrix is K = 0, which holds states near the trivial solution "
         "that are not on it (proofs/first_integrals.md).",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import chain
 from types import SimpleNamespace
 from typing import Any
 
@@ -81,41 +82,52 @@ def test_the_roots_at_one_p() -> None:
     assert not ledger.damped_and_oscillating(fmpq(-1))
 
 
-@pytest.mark.parametrize(
-    ("fates", "answer"),
-    [
-        (("impact", "lift-off"), True),
-        (("lift-off", "impact"), True),
-        (("impact", "impact"), False),
-        (("impact", "trivial"), False),
-        (("impact", None), None),
-        ((None, "impact"), None),
-    ],
-)
-def test_two_runs_are_parted(
+MIXED = {
+    "as claimed": (("impact", "impact", "lift-off", "lift-off"), True),
+    "the other way": (("lift-off", "lift-off", "impact", "impact"), True),
+    "one fate": (("impact",) * 4, False),
+    "one of each on each side": (("impact", "lift-off", "impact", "lift-off"), False),
+    "exchanged": (("impact", "lift-off", "lift-off", "impact"), False),
+    "another fate": (("impact", "impact", "trivial", "trivial"), False),
+    "one unknown": (("impact", "impact", "lift-off", None), None),
+}
+"""Fates of ν = 1/4, 1/2, 2, 4."""
+
+
+@pytest.mark.parametrize(("fates", "answer"), MIXED.values(), ids=MIXED)
+def test_two_sides_are_parted(
     monkeypatch: pytest.MonkeyPatch, fates: tuple[str | None, ...], answer: bool | None
 ) -> None:
-    monkeypatch.setattr(varsim1, "proved_fate", lambda _, nu: fates[int(nu)])
-    assert ledger.parted(fmpq(3, 2), fmpq(0), fmpq(1)) is answer
+    fate_of = dict(zip(chain(*ledger.SIDES), fates, strict=True))
+    monkeypatch.setattr(varsim1, "proved_fate", lambda _, nu: fate_of[nu])
+    assert ledger.parted(fmpq(3, 2)) is answer
 
 
 @pytest.mark.parametrize(
-    ("sides", "answer"),
-    [((1, -1), True), ((-1, 1), True), ((1, 1), False), ((-1, -1), False), ((1, 0), False), ((1, None), None)],
+    ("signs", "answer"),
+    [
+        ((1, 1, -1, -1), True),
+        ((-1, -1, 1, 1), True),
+        ((1, -1, 1, -1), False),
+        ((-1, -1, -1, -1), False),
+        ((1, 1, 0, 0), False),
+        ((1, 1, -1, None), None),
+    ],
 )
 def test_sides_differ_at_every_epsilon(
-    monkeypatch: pytest.MonkeyPatch, sides: tuple[int | None, ...], answer: bool | None
+    monkeypatch: pytest.MonkeyPatch, signs: tuple[int | None, ...], answer: bool | None
 ) -> None:
     tried = []
+    sign_at = dict(zip(chain(*ledger.SIDES), signs, strict=True))
 
     def side_rule(nu: fmpq, epsilon: fmpq) -> Any:
         tried.append(epsilon)
-        return SimpleNamespace(side=sides[int(nu)])
+        return SimpleNamespace(side=sign_at[nu])
 
     monkeypatch.setattr(varsim1, "initial_state", lambda _, nu, epsilon: (nu, epsilon))
     monkeypatch.setattr(ledger, "side_rule", side_rule)
     monkeypatch.setattr(ledger, "sign_of", lambda side: side)
-    assert ledger.sides_differ(fmpq(3, 2), fmpq(0), fmpq(1)) is answer
+    assert ledger.sides_differ(fmpq(3, 2)) is answer
     assert set(tried) == set(varsim1.POINTS)
 
 

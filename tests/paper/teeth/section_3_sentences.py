@@ -46,7 +46,7 @@ TEETH: Teeth = {
         NotApplicable("order", "the claim is on what runs do for every ε ≤ ε0; no order of an error occurs"),
     ),
     "3-separatrix": (
-        Bite("factor", ledger, "PAIRS", lambda honest: ((fmpq(1, 4), fmpq(1, 2)), *honest)),
+        Bite("factor", ledger, "SIDES", lambda honest: tuple(zip(*honest, strict=True))),
         Bite("hidden factor", ledger.varsim1, "fate_by_side", other_fate),
         Bite("hypothesis", ledger.varsim1, "EPSILON_0", lambda honest: dict.fromkeys(honest, fmpq(1, 2))),
         NotApplicable("order", "the claim is on what runs do for every ε ≤ ε0; no order of an error occurs"),
