@@ -106,7 +106,8 @@ def simulate(
     --certificate writes what `check` needs to prove the run again without this package: every step, every event and
     their order. It covers the model scenes from a start in contact and slip.
     --journal keeps what the integrator chose for each step, and proves all of it again when it goes on; with --compare
-    the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii.
+    the float run has FILE.float. Samples of a certified run are enclosures: a column of midpoints and one of radii, of
+    the time, too; a row holds at one time within t_radius of its t, not certainly at the rounded number t.
     What the effects that are left out assume of the motion is checked along the run: where it fails, the run is refuted
     as a statement on the motion with them; where it is not certain, the statement says "provided that". Exit code 0
     when the certified run is proved, 1 when it is refuted, 2 when something is undecided: a float run always is.

@@ -36,8 +36,9 @@ class Boxes:
 class Samples:
     """Columns (t after the start, then the read-out), and the phase of each row.
 
-    Of a certified run there is beside each column of midpoints one of radii, its name with ``_radius``; ``boxes``, of a
-    run by the integrator, enclose all that is between the rows.
+    Of a certified run there is beside each column of midpoints one of radii, its name with ``_radius``. A row encloses
+    the values at one time, which lies within ``t_radius`` of t and need not be the double t. ``boxes``, of a run by the
+    integrator, enclose all that is between the rows.
     """
 
     columns: dict[str, ndarray[Any, Any]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -181,3 +182,15 @@ def test_of_a_run_each_event_is_sampled_and_there_is_no_gap() -> None:
         assert [found.phases[row] for row in rows][-2:] == [ended, "flight" if ended == "slip" else "slip"]
         assert np.abs(columns["lambda_N"][rows]).max() < 1e-14
         assert np.abs((columns["y"] - columns["z"])[rows]).max() < 1e-16
+
+
+def test_a_row_is_of_one_time_in_the_ball_of_its_time_not_of_the_rounded_one() -> None:
+    """p = 1/10 - t exactly: at t = 1/10, which is no double, p at the double t lies outside of the row's ball."""
+    run = certified_run(load_scene("fig-varsim1", epsilon="1/10", p="1/10", until="1/10"), route="integrator", points=2)
+    assert run.samples is not None
+    columns = ("t", "t_radius", "p", "p_radius")
+    rows = [list(map(Fraction, row)) for row in zip(*(run.samples.columns[name] for name in columns), strict=True)]
+    apart = [(abs(Fraction(1, 10) - t - p), t_radius, p_radius) for t, t_radius, p, p_radius in rows]
+    assert all(difference <= t_radius + p_radius for difference, t_radius, p_radius in apart)
+    assert any(difference > p_radius for difference, _, p_radius in apart)
+    assert "need not be the double t" in (Samples.__doc__ or "")
