@@ -100,9 +100,12 @@ class BallPolynomial:
         """By a number, or by an exact monomial with the coefficient 1 that divides every term.
 
         :raises DomainError: it does not.
+        :raises ValueError: the monomial has another coefficient.
         """
-        if isinstance(divisor, arb | fmpq | int):
-            return self * (1 / (fmpq(divisor) if isinstance(divisor, int) else divisor))
+        if isinstance(divisor, arb | fmpq | fmpz | int):
+            return self * (1 / (divisor if isinstance(divisor, arb) else fmpq(divisor)))
+        if divisor.coeffs() != [1]:  # a negative one would turn a radius
+            raise ValueError(f"expected a number, or a monomial with the coefficient 1, got {divisor}")
         return BallPolynomial(self.middle / divisor, self.radius / divisor)
 
 

@@ -6,7 +6,7 @@ import random
 from typing import Any
 
 import pytest
-from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 from flint.utils.flint_exceptions import DomainError
 
 from gspot_verified.functions.ball_polynomials import BallPolynomial, ball_polynomial, constant, polynomial_of
@@ -83,10 +83,20 @@ def test_numbers_are_exact_polynomials_where_they_are_exact() -> None:
     assert isinstance(polynomial_of(RING, {(1, 1): fmpq(2), (0, 0): arb(1, 0.5)}), BallPolynomial)
 
 
+@pytest.mark.parametrize("divisor", [-3, fmpz(-3), fmpq(-3), arb(-3)])
+def test_a_radius_over_a_negative_number_is_positive(divisor: Any) -> None:
+    found = ball_polynomial(RING, {(1, 0): arb(2, 0.125)}) / divisor
+    ((_, radius),) = found.radius.to_dict().items()
+    assert fmpq(1, 24) <= radius < fmpq(1, 23)
+    assert abs(found.middle.to_dict()[1, 0] + fmpq(2, 3)) < fmpq(1, 10**8)
+
+
 def test_what_is_no_polynomial_is_an_error() -> None:
     one = ball_polynomial(RING, {(1, 0): arb(1, 0.5), (0, 1): fmpq(1)})
     with pytest.raises(DomainError):
         one / X
+    with pytest.raises(ValueError, match="coefficient 1"):
+        one * X / (-X)
     with pytest.raises(ValueError, match="not finite"):
         ball_polynomial(RING, {(0, 0): arb("nan")})
     with pytest.raises(ValueError, match="not finite"):
