@@ -157,8 +157,9 @@ def render_report(path: Path, directory: Path, cost: Path | None = None) -> Path
     :raises OSError: the file cannot be read.
 
     >>> import tempfile
-    >>> with tempfile.NamedTemporaryFile(suffix=".json") as file:
-    ...     render_report(Path(file.name), Path("pages"))  # an empty file
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     Path(place, "report.json").touch()
+    ...     render_report(Path(place, "report.json"), Path(place, "pages"))
     Traceback (most recent call last):
     ...
     ValueError: ...json: Expecting value: line 1 column 1 (char 0)

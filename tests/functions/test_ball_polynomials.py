@@ -1,4 +1,4 @@
-"""Polynomials with balls as coefficients hold those of all polynomials in them."""
+"""Polynomials with balls as coefficients hold those of all polynomials in them: proofs/from_state.md, section 8."""
 
 from __future__ import annotations
 
