@@ -109,8 +109,8 @@ def _in_delta(polynomial: Polynomial, p: Any, a: Exact) -> Any:
 
 
 def _vanishes(value: Exact) -> bool:
-    """Whether a number may be 0, and so is it where Lemma T says it."""
-    return bool(value == 0) if isinstance(value, fmpq) else bool(value.contains(0))
+    """Whether a number may be 0, and so is it where Lemma T says it; what is not finite would contain everything."""
+    return bool(value == 0) if isinstance(value, fmpq) else bool(value.is_finite() and value.contains(0))
 
 
 def _over(equations: DeviationEquations, polynomial: Any, power: Exact) -> arb | None:
