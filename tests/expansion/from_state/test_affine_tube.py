@@ -507,6 +507,8 @@ def test_the_start_is_in_the_rectangle_and_epsilon_is_positive() -> None:
     other = Norm(manifold(back=BACK | {(0, 2, 0): fmpq(1)}), fmpq(1), fmpq(1, 2))
     with pytest.raises(ValueError, match="another slow manifold"):
         affine_tube(given, other, granted(), RECTANGLE, E, LARGEST, RATIO)
+    with pytest.raises(ValueError, match="z_max must be at most 1"):
+        affine_tube(given, norm, granted(), RECTANGLE, E, 1 + NEAR, RATIO)
 
 
 def test_what_else_is_refused() -> None:

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import nullcontext
 
 import pytest
 from flint import arb, arb_poly, fmpq, fmpq_poly
 
 from gspot_verified.expansion.from_state.affine_hand_over import _in_delta, _over
-from gspot_verified.expansion.from_state.affine_tube import ExcessBounds
+from gspot_verified.expansion.from_state.affine_tube import AffineStart, ExcessBounds, affine_tube
 from gspot_verified.expansion.from_state.barrier import value_of
-from gspot_verified.expansion.from_state.slow_manifold import RING, H, L, R
+from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
+from gspot_verified.expansion.from_state.slow_manifold import RING, Cut, H, L, R, slow_manifold
+from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.functions.ball_polynomials import ball_polynomial
 from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.numbers.evidence import less
 from tests.expansion.from_state.test_affine_hand_over import DELTA, STEEP, equations
+from tests.expansion.from_state.test_slow_manifold_in_balls import in_balls
 
 WIDE = arb(1, 0.125)
 """mu."""
@@ -46,6 +51,17 @@ def test_powers_of_the_excess_are_bounded_for_every_mu(mu: fmpq, r: fmpq) -> Non
             value = h**2 * ball(r) ** 5 * (size * ball(r) ** ball(mu)) ** (power - over)
             assert not value > bound
             assert bound.is_finite()
+
+
+def test_where_mu_is_a_ball_p_is_at_most_1() -> None:
+    """r^mu lies between r^low and r^high there; beyond 1 the other way round."""
+    manifold = slow_manifold(in_balls(PAPER), Cut(1, fmpq(1), fmpq(83, 100)))
+    norm, growth = Norm(manifold, fmpq(1), fmpq(1, 2)), Growth(fmpq(1), fmpq(1), less(0, 1), 1, "")
+    rectangle = Rectangle(fmpq(1, 9), fmpq(2))
+    for p, refused in ((fmpq(1), False), (1 + fmpq(1, 10**9), True)):
+        given = AffineStart(manifold, p, fmpq(-1), fmpq(1, 100))
+        with pytest.raises(ValueError, match="at most 1 where beta") if refused else nullcontext():
+            affine_tube(given, norm, growth, rectangle, fmpq(1, 10**9), fmpq(1, 2), fmpq(2))
 
 
 def test_what_is_below_mu_is_left_out_only_where_it_may_vanish() -> None:
