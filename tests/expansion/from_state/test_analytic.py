@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable
 from typing import Any
@@ -157,6 +158,26 @@ def test_the_bound_is_attained() -> None:
     assert abs(square[0, 4] - 19) < arb("1e-6")
     tail = Analytic(Power(ONE - P, fmpq(-1)), 2, "f").rest(reach(fmpq(1, 2), arb(3)))
     assert abs(tail[0, 4] - 8) < arb("1e-6")
+
+
+def test_the_bound_is_attained_by_powers_of_y_and_v() -> None:
+    """y = Y' p^3, v = V' p^2, Y' = 2, V' = 3, b = 5 p: of (p + t)^n the coefficient of t^4 is that of a binomial."""
+    most = fmpq(1, 7)
+    given = Reach(most, arb(5), arb(2), arb(3))
+    for function, factor, power in (
+        (Y * Y, 4, 6),
+        (V * V, 9, 4),
+        (V * V * V, 27, 6),
+        (Y * V, 6, 5),
+        (P * Y, 2, 4),
+        (B * Y, 10, 4),
+        (P * P * V, 3, 4),
+        (Y * Y * V, 12, 8),
+    ):
+        ((key, bound),) = Analytic(function, 4, "f").rest(given).items()
+        wanted = factor * math.comb(power, 4) * most ** (power - 4)
+        assert key == (0, 8)
+        assert wanted * (1 - fmpq(1, 10**6)) <= bound <= wanted * (1 + fmpq(1, 10**6))
 
 
 def test_a_polynomial_below_the_order_leaves_nothing() -> None:

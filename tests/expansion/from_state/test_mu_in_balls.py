@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import nullcontext
+from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from flint import arb, arb_poly, fmpq, fmpq_poly
 
-from gspot_verified.expansion.from_state.affine_hand_over import _in_delta, _over
+from gspot_verified.expansion.from_state.affine_hand_over import _beside, _in_delta, _over
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, ExcessBounds, affine_tube
 from gspot_verified.expansion.from_state.barrier import value_of
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
 from gspot_verified.expansion.from_state.slow_manifold import RING, Cut, H, L, R, slow_manifold
 from gspot_verified.expansion.series.regularisation import PAPER
+from gspot_verified.expansion.trajectory import expand_system
+from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.functions.ball_polynomials import ball_polynomial
 from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.numbers.evidence import less
@@ -94,6 +98,25 @@ def test_negative_powers_of_p_are_left_out_only_where_they_may_vanish() -> None:
         assert (found is not None) is left_out
         if left_out:
             assert found[2].contains(arb(1, 0.25))
+
+
+def test_the_hypotheses_of_lemma_t_are_asked() -> None:
+    """All else as it was where they hold: order 3, mu = 0.83, Theorem 1 to order 8."""
+    system = in_balls(PAPER, fmpq(1, 10**40))
+    found = DeviationEquations(expand_system(system.system(), 8), DELTA)
+    manifold = slow_manifold(system, Cut(3, fmpq(5), fmpq(83, 100)))
+    assert _beside(found, manifold, fmpq(5)) is not None
+    for cut in (
+        replace(manifold.cut, order=0),
+        replace(manifold.cut, weight=fmpq(4, 10), mu=fmpq(4, 10)),
+    ):
+        assert _beside(found, replace(manifold, cut=cut), fmpq(5)) is None
+    enough = replace(manifold.cut, order=1, weight=fmpq(43, 100), mu=fmpq(4, 10))
+    assert _beside(found, replace(manifold, cut=enough), fmpq(5)) is not None
+    theorem_1 = found.trajectory
+    for order in (1, 2):
+        found.trajectory = SimpleNamespace(order=order, terms=theorem_1.terms)  # type: ignore[assignment]
+        assert (_beside(found, manifold, fmpq(5)) is None) is (order == 1)
 
 
 def test_delta_is_what_the_bounds_are_for() -> None:
