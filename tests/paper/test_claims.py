@@ -52,6 +52,8 @@ RESTRICTIONS = {
     r"C_1, α_2 not 0": "α_2 not 0|mean force|fixed τ",
     r"runs of Figure \d": r"\bruns?\b|start|Figure|[Pp]anel",
     "ansatz": "ansatz",
+    "continuously differentiable": "continuously differentiable",
+    r"C_1/Γ\(-β\)": "C_1",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
 """What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""
@@ -255,6 +257,29 @@ def test_a_claim_that_stands_proved_says_what_its_entries_are_restricted_by(whol
     assert limited <= set(proved), "a condition where nothing is proved"
 
 
+def unnamed(word: str, claims: Sequence[PaperClaim], lines: Sequence[str]) -> list[int]:
+    """The lines with a word, within claims, that no claim of theirs says it of."""
+    found = []
+    for number, line in enumerate(lines, 1):
+        around = [claim for claim in claims if claim.first <= number <= claim.last]
+        if around and word in line and not any(word in f"{claim.words} {claim.why}" for claim in around):
+            found.append(number)
+    return found
+
+
+def test_what_the_paper_calls_a_canard_is_claimed_to_be_one(source: list[str]) -> None:
+    """It is more than a solution that divides two fates: it leads from a stable manifold to one that is not.
+
+    Line 382 speaks of the one of line 377 again.
+    """
+    assert unnamed("canard", paper_claims(), source) == [382]
+    claim = PaperClaim(1, 2, "", "C_1 = 0 divides them", ("a",), None, "")
+    lines = ["by setting C_1 = 0 is the dividing", "canard trajectory"]
+    assert unnamed("canard", [claim], lines) == [2]
+    assert unnamed("canard", [replace(claim, words="the canard C_1 = 0 divides them")], lines) == []
+    assert unnamed("canard", [], lines) == []
+
+
 def apart(claim: PaperClaim, entry: Entry) -> bool:
     """Whether the quoted lines of an entry are others than those of a claim."""
     quoted = entry.cited.quotations
@@ -333,6 +358,9 @@ def test_a_refuted_claim_that_there_is_something_says_among_what(whole_ledger: l
         ("y diverges", "", "runs of Figure 6 other than ν = 1: y diverges", False),
         ("y diverges", "in the runs of Figure 7", "runs of Figure 6 other than ν = 1: y diverges", True),
         ("b on the outer scale", "", "the exponent of the ansatz is β", False),
+        ("it is the only one near by", "", "For continuously differentiable functions it is", False),
+        ("it lifts off or takes an impact", "", "it lifts off when C_1/Γ(-β) < 0", False),
+        ("it lifts off or takes an impact", "C_1 not 0", "it lifts off when C_1/Γ(-β) < 0", True),
         ("it lifts off", "Case III", "In Case III, the contact not far from rest, it lifts off", False),
         ("every state reaches it", "", "the state p = 1 reaches it", False),
         ("every state reaches it", "", "every initial value reaches it", True),

@@ -10,14 +10,18 @@ from paper.paper_citations import DATA
 
 from gspot_verified.paper.checks.entry import Entry
 from gspot_verified.paper.checks.paper import with_printed_numbers
+from gspot_verified.paper.claims import paper_claims
 
 VERBS = (
     "is are was has have satisfies satisfy gives holds hold turns turn tends tend takes take lifts lift loses lose "
-    "becomes begins changes couples depend depends differs does dominates ends enters falls follows follow grows lasts "
-    "leaves matches moves name occurs reaches recover relaxes scales settles span stands stays switches vanishes"
+    "becomes begins belong changes controls couples depend depends differs does dominates ends enters exists explains "
+    "falls fits follows follow goes grows lasts leaves lies matches moves name occurs reach reaches recover relaxes "
+    "scales settles span stands stays switches vanish vanishes"
 )
-"""The finite verbs of the ledger; a statement with another one adds it here."""
+"""The finite verbs of the ledger; a statement, or a claim, with another one adds it here."""
 VERB = re.compile(rf"\b(?:{VERBS.replace(' ', '|')})\b")
+CLAIMS_FROM = 1142
+"""The line of the paper from which on the claims are held to be sentences."""
 WORDS = {"beta", "example", "exponents", "expansion", "distinguished", "Coulomb"}
 """Labels of the source that are words, and numbers, of sections."""
 
@@ -91,6 +95,13 @@ def test_every_statement_is_a_sentence(whole_ledger: list[Entry]) -> None:
     assert [entry.statement for entry in whole_ledger if not is_a_sentence(entry.statement)] == []
 
 
+def test_every_claim_is_a_sentence() -> None:
+    """A heading says nothing that could be proved or refuted."""
+    claims = [claim for claim in paper_claims() if claim.first >= CLAIMS_FROM]
+    assert len(claims) > 150
+    assert [claim.words for claim in claims if not is_a_sentence(claim.words)] == []
+
+
 def test_no_label_of_the_source_is_left_in_the_texts_of_an_entry(whole_ledger: list[Entry]) -> None:
     names = labels()
     assert {"modelSysTEliminated", "pbc", "varsim1", "t01", "th:5"} <= names
@@ -113,6 +124,8 @@ def test_no_label_of_the_source_is_left_in_the_texts_of_an_entry(whole_ledger: l
         ("The alphas for β = 7/3, κ = 0, rounded; they are in Case III", False),
         ("The characteristic polynomial of M, and that it is the one of Section 4", False),
         ("α_1 at the G-spot, for all β, κ, m_1, l, g", False),
+        ("Step 2: the spaces of r_b", False),
+        ("Theorem 5: the three formulas", False),
         ("In rigid slip, dt = p ds: dp/ds = α_1 p", False),
         ("", False),
         ("In the inner time s eq. (46) becomes eq. (52)", True),

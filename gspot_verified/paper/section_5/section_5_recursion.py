@@ -143,8 +143,8 @@ def _scaled_start() -> Entry:
         "eqs. specialInitialFirst to specialInitialFourth",
         r"\mathcal P(\xi^*+\delta^2\tilde\xi)-\delta^2\tilde p=0,\ \ldots,\ "
         r"\mathcal V(\xi^*+\delta^2\tilde\xi)-\delta^4\tilde v=0",
-        "The synchronisation of p, b, y, v at s = 0 becomes, in the scaled variables, specialInitialFirst to "
-        "specialInitialFourth",
+        "The synchronisation of p, b, y, v at s = 0 becomes, in the scaled variables and for all δ, "
+        "specialInitialFirst to specialInitialFourth",
         this.check("the scaled variables put into genSysSynch", put_in),
         this.check(
             "the extended example at s = 0 through δ⁸: its series in (t, ε), and the terms of Theorem 1's recursion",
