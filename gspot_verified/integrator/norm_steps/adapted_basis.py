@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from operator import mul, truediv
 
 import numpy as np
 from numpy.linalg import eig
@@ -81,13 +82,14 @@ def _balance(matrix: Matrix, least: float) -> NDArray[np.float64]:
     and a tube that is narrow in one unit of 10^-80 is as wide as nothing can be proved of in the others. Large ones are
     not limited: a clock drives a force of 10^30 by as much, and its tube must be that much narrower.
     """
-    sizes = [[max(abs(entry), least) if entry else 0.0 for entry in row] for row in matrix.tolist()]
-    scales = [1.0] * len(sizes)
-    others = [[j for j in range(len(sizes)) if j != i] for i in range(len(sizes))]
+    sizes = np.where(matrix == 0, 0.0, np.maximum(np.abs(matrix), least))
+    np.fill_diagonal(sizes, 0.0)
+    rows, columns = sizes.tolist(), sizes.T.tolist()
+    scales = [1.0] * len(rows)
     for _ in range(_SWEEPS):
-        for i, apart in enumerate(others):
-            row = sum(sizes[i][j] * scales[j] for j in apart) / scales[i]
-            column = sum(sizes[j][i] / scales[j] for j in apart) * scales[i]
+        for i in range(len(rows)):
+            row = sum(map(mul, rows[i], scales)) / scales[i]
+            column = sum(map(truediv, columns[i], scales)) * scales[i]
             if row > 0 and column > 0:
                 scales[i] *= 2.0 ** round(math.log2(row / column) / 2)
             elif row > 0 or column > 0:

@@ -48,11 +48,8 @@ class StateSet:
 
     def enclosure(self) -> list[arb]:
         """A box of the states."""
-        box = []
-        for m, row in zip(self.middle, row_norms(self.basis), strict=True):
-            reach = sum((a * b for a, b in zip(row, self.radii, strict=True)), arb(0))
-            box.append(add_remainder(m, reach.upper()))
-        return box
+        reach = row_norms(self.basis) * column(self.radii)
+        return [add_remainder(m, r) for m, r in zip(self.middle, reach.entries(), strict=True)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +103,7 @@ class NormStep:
     def end(self, middle: Sequence[arb]) -> StateSet:
         """The set at τ = 1 about other exact states."""
         one = arb(1)
-        jump = arb_mat([[p(one) - m] for p, m in zip(self.solution, middle, strict=True)])
+        jump = column([p(one) - m for p, m in zip(self.solution, middle, strict=True)])
         moved = lengths((self.basis.S.inv() * jump).entries(), self.basis)
         radii = tuple((a + b).upper() for a, b in zip(self.radii, moved, strict=True))
         return StateSet(tuple(middle), self.basis, radii)
@@ -121,8 +118,9 @@ def norm_step(
     defect = defect_bounds(field, solution, h, plan)
     if defect is None:
         return None
-    before, radii = start.basis, arb_mat([[r] for r in start.radii])
-    jump = arb_mat([[m - p(arb(0))] for m, p in zip(start.middle, solution, strict=True)])
+    before, radii = start.basis, column(start.radii)
+    jump = column([m - p(arb(0)) for m, p in zip(start.middle, solution, strict=True)])
+    defects = column([add_remainder(arb(0), d) for d in defect])
     tube = [arb(0)] * field.dimension
     for i, basis in enumerate(plan.bases):
         try:
@@ -132,19 +130,18 @@ def norm_step(
         # Theorem N2: the same set in the norms of the next basis.
         radii = block_norms(inverse * before.S, basis, before) * radii
         if i == 0:
-            radii = radii + arb_mat([[r] for r in lengths((inverse * jump).entries(), basis)])
+            radii = radii + column(lengths((inverse * jump).entries(), basis))
         before = basis
         piece = plan.ends[i].union(plan.ends[i + 1])
         length = plan.ends[i + 1] - plan.ends[i]
-        size = field.dimension
-        forcing = [sum((abs(inverse[j, k]) * defect[k] for k in range(size)), arb(0)) for j in range(size)]
-        # Theorem N1.
-        pushes = lengths(forcing, basis)
+        # Theorem N1. All errors within the defects are one ball: their lengths are those of the theorem.
+        pushes = lengths((inverse * defects).entries(), basis)
         rows = row_norms(basis)
         limit = (
             plan.margins[i] * _largest([r + length * d for r, d in zip(radii.entries(), pushes, strict=True)])
         ).upper()
-        box = [add_remainder(p(piece), limit * sum(row, arb(0))) for p, row in zip(solution, rows, strict=True)]
+        reach_of_limit = (rows * column([limit] * len(pushes))).entries()
+        box = [add_remainder(p(piece), r) for p, r in zip(solution, reach_of_limit, strict=True)]
         rates = growth_rates(field, box, basis, inverse)
         if rates is None:
             return None
@@ -153,10 +150,8 @@ def norm_step(
         reach, pushed = _majorants(rates, [radii.entries(), [arb(0)] * len(pushes)], pushes)
         if not all(value.is_finite() and value < limit for value in reach):
             return None
-        radii = arb_mat([[(a + b).upper()] for a, b in zip((rates.exp() * radii).entries(), pushed, strict=True)])
-        for j, row in enumerate(rows):
-            at = sum((a * b for a, b in zip(row, reach, strict=True)), arb(0))
-            tube[j] = tube[j].max(at.upper())
+        radii = column([(a + b).upper() for a, b in zip((rates.exp() * radii).entries(), pushed, strict=True)])
+        tube = [old.max(at.upper()) for old, at in zip(tube, (rows * column(reach)).entries(), strict=True)]
     step = NormStep(tuple(solution), h, tuple(tube), before, tuple(radii.entries()))
     finite = all(value.is_finite() for value in (*step.enclosure(), *step.radii))
     return step if finite else None
@@ -194,22 +189,33 @@ def _largest(values: Sequence[arb]) -> arb:
     return worst
 
 
-def row_norms(basis: Basis) -> list[list[arb]]:
+def column(values: Sequence[arb]) -> arb_mat:
+    """A matrix of one column."""
+    return arb_mat(len(values), 1, values)
+
+
+def row_norms(basis: Basis) -> arb_mat:
     """For each component of e = S ζ the lengths of its row of S in the blocks."""
-    return [lengths(row, basis) for row in basis.S.table()]
+    return arb_mat([lengths(row, basis) for row in basis.S.table()])
 
 
 def block_norms(A: arb_mat, left: Basis, right: Basis) -> arb_mat:
     """Bounds on the Euclidean norms of the blocks of a matrix."""
-    table = A.table()
-    rows, columns = left.starts(), right.starts()
-    return arb_mat([[_norm([row[c:d] for row in table[a:b]]) for c, d in pairwise(columns)] for a, b in pairwise(rows)])
+    return arb_mat([[_norm(block) for block in row] for row in _blocks(A, left, right)])
+
+
+def _blocks(A: arb_mat, left: Basis, right: Basis) -> list[list[list[list[arb]]]]:
+    table, columns = A.table(), [*pairwise(right.starts())]
+    return [[[row[c:d] for row in table[a:b]] for c, d in columns] for a, b in pairwise(left.starts())]
 
 
 def _norm(block: Sequence[Sequence[arb]]) -> arb:
     """A bound on the Euclidean norm: the largest row sum of |AᵀA| bounds its largest eigenvalue."""
     if len(block[0]) == 1:
         return _length([row[0] for row in block])
+    if len(block) == 1:
+        sizes = [value.abs_upper() for value in block[0]]
+        return (_largest(sizes) * sum(sizes, arb(0))).upper().sqrt().upper()
     A = arb_mat(block)
     worst = arb(0)
     for row in (A.transpose() * A).table():
@@ -226,11 +232,11 @@ def growth_rates(field: VectorField, box: Sequence[arb], basis: Basis, inverse: 
     if not all(value.is_finite() for value in values):
         return None
     turned = inverse * arb_mat(rows) * basis.S
-    rates = block_norms(turned, basis, basis)
-    starts, table = basis.starts(), turned.table()
-    for j, (a, b) in enumerate(pairwise(starts)):
-        rates[j, j] = _logarithmic_norm([row[a:b] for row in table[a:b]])
-    return rates if all(value.is_finite() for value in rates.entries()) else None
+    rows_of_norms = [
+        [_logarithmic_norm(block) if i == j else _norm(block) for j, block in enumerate(row)]
+        for i, row in enumerate(_blocks(turned, basis, basis))
+    ]
+    return arb_mat(rows_of_norms) if all(value.is_finite() for row in rows_of_norms for value in row) else None
 
 
 def _logarithmic_norm(block: Sequence[Sequence[arb]]) -> arb:
@@ -268,8 +274,7 @@ def _majorant(rates: arb_mat, radii: Sequence[arb], pushes: Sequence[arb], propo
     z = [value.max(r.upper()) for value, r in zip(proposed, radii, strict=True)]
     if not all(value > 0 for value in z):
         return [nonfinite()] * len(z)
-    column = (rates * arb_mat([[value] for value in z])).entries()
-    needed = [(a + d) / value for a, d, value in zip(column, pushes, z, strict=True)]
+    needed = [(a + d) / value for a, d, value in zip((rates * column(z)).entries(), pushes, z, strict=True)]
     growth = arb(0)
     for value in needed:
         if not value.is_finite():

@@ -79,9 +79,8 @@ def slow_curve(field: VectorField, middle: Sequence[arb], h: float, order: int, 
         last = level
         assert solver is not None
         moves = solver.moves(residuals, gap, level, order)
-        for row, column in zip(x, moves.T, strict=True):
-            for k, move in enumerate(column):
-                row[k] += _scaled(move, bits + round(level))
+        for i, column in enumerate(_scaled(moves.T, bits + round(level))):
+            x[i] = [value + move for value, move in zip(x[i], column, strict=True)]
     solution = [arb_poly(fmpz_poly(row)) * unit for row in x]
     tail = max(abs(row[k]).bit_length() for row in x for k in (order - 1, order)) - bits
     distance = max(abs(a - row[0]).bit_length() for a, row in zip(start, x, strict=True)) - bits
@@ -173,8 +172,14 @@ def _coefficients(entries: list[list[arb_series]], order: int) -> NDArray[np.flo
     return coefficients
 
 
-def _scaled(value: float, shift: int) -> int:
-    """An integer near value * 2^shift."""
-    mantissa, exponent = np.frexp(value)
-    whole, more = int(mantissa * 2.0**53), int(exponent) - 53 + shift
-    return whole << more if more >= 0 else whole >> -more
+def _scaled(values: Matrix, shift: int) -> list[list[int]]:
+    """Integers near values * 2^shift."""
+    mantissas, exponents = np.frexp(values)
+    wholes, moves = (
+        (mantissas * 2.0**53).astype(np.int64).tolist(),
+        (exponents.astype(np.int64) + (shift - 53)).tolist(),
+    )
+    return [
+        [whole << more if more >= 0 else whole >> -more for whole, more in zip(*rows, strict=True)]
+        for rows in zip(wholes, moves, strict=True)
+    ]

@@ -25,7 +25,7 @@ _LARGEST_TRIES = 4  # lengths of one step
 _FIRST_LENGTH = 0.25  # of a run, before anything is known
 _STEP_BITS = 8  # of a length
 _LARGEST_SUM_BITS = 3  # by which a coefficient may exceed the first two
-_DISCS = (2, 4, 8)
+_DISCS = (2, 3, 4, 5, 6, 8)
 
 
 class TaylorCurve:
@@ -116,13 +116,15 @@ def rounded(length: float) -> float:
 
 
 def cauchy_plan(field: VectorField, solution: Sequence[arb_poly], h: arb) -> tuple[int, int]:
-    """A disc and a length of the series for which Cauchy's estimate leaves out what rounding errors hide anyway."""
+    """A disc and a length of the series for which Cauchy's estimate leaves out what the last bits of the coefficients
+    hide anyway."""
     degrees = field.degrees([max(p.degree(), 0) for p in solution])
     known = [degree for degree in degrees if degree is not None]
     shortest = max([p.degree() for p in solution] + known) + 1
     if len(known) == len(degrees):
         return _DISCS[0], shortest
     best: tuple[int, int] | None = None
+    hidden = current_bits() - _GUARD_BITS + _TAIL_BITS
     around = arb((0, 0), (1, 0))
     for disc in _DISCS:
         box = []
@@ -134,7 +136,7 @@ def cauchy_plan(field: VectorField, solution: Sequence[arb_poly], h: arb) -> tup
         if not all(bound.is_finite() for bound in bounds):
             break
         largest = max(log2_of(bound.upper()) for bound in bounds) + max(log2_of(h), 0.0)
-        needed = math.ceil((largest + current_bits()) / math.log2(disc)) + 1
+        needed = math.ceil((largest + hidden) / math.log2(disc)) + 1
         if best is None or needed < best[1]:
             best = disc, needed
     return (best[0], max(best[1], shortest)) if best else (_DISCS[0], shortest)

@@ -19,6 +19,7 @@ from gspot_verified.integrator.norm_steps.norm_step import (
     Basis,
     NormStep,
     block_norms,
+    column,
     defect_bounds,
     growth_rates,
     lengths,
@@ -85,7 +86,7 @@ def bounded_step(
         inverse = following.S.inv()
         entered = lengths((inverse * jump).entries(), following)
         if basis is not None:
-            moved = (block_norms(inverse * basis.S, following, basis) * _column(radii)).entries()
+            moved = (block_norms(inverse * basis.S, following, basis) * column(radii)).entries()
             entered = [a + b for a, b in zip(entered, moved, strict=True)]
         pushes = [(right - left) * d for d in lengths(_forcing(inverse, defect), following)]
         margin = chosen.plan.margins[i] * _largest([r + d for r, d in zip(entered, pushes, strict=True)], last)
@@ -96,8 +97,8 @@ def bounded_step(
         written = [[_rounded_up(value, last) for value in node] for node in nodes]
         bounds = [[arb((m, e)) for m, e in node] for node in written]
         limits = [_largest(column, last) for column in zip(*bounds, strict=True)]
-        for j, row in enumerate(row_norms(following)):
-            tube[j] = tube[j].max(_dot(row, limits).upper() * (1 + arb((1, -_TUBE_BITS))))
+        for j, at in enumerate((row_norms(following) * column(limits)).entries()):
+            tube[j] = tube[j].max(at.upper() * (1 + arb((1, -_TUBE_BITS))))
         rows = following.S.table()
         entries = [pair(value.mid()) for k in order for value in rows[k]]
         pieces.append({"basis": entries, "blocks": list(following.blocks), "end": pair(right), "nodes": written})
@@ -109,7 +110,7 @@ def bounded_step(
 
 def _reach(basis: Basis, margin: arb) -> tuple[arb, ...]:
     """By component, where no block is longer than ``margin``."""
-    return tuple(_dot(row, [margin] * len(basis.blocks)) for row in row_norms(basis))
+    return tuple((row_norms(basis) * column([margin] * len(basis.blocks))).entries())
 
 
 def _rates(field: VectorField, step: NormStep, inverse: arb_mat, left: arb, right: arb) -> list[list[float]]:
@@ -149,10 +150,6 @@ def _forcing(inverse: arb_mat, defect: Sequence[arb]) -> list[arb]:
 
 def _dot(row: Sequence[arb], column: Sequence[arb]) -> arb:
     return sum((a * b for a, b in zip(row, column, strict=True)), arb(0))
-
-
-def _column(values: Sequence[arb]) -> arb_mat:
-    return arb_mat([[value] for value in values])
 
 
 def _largest(values: Sequence[arb], last: int) -> arb:

@@ -130,7 +130,8 @@ class InvariantRegion:
         tried[-2:] = box[-2] + _from_zero(time), _from_zero(largest)
         for _ in range(_ROUNDS):
             bounds = form.bounds(tried)
-            total = impulse(bounds) if bounds.are_finite() else None
+            # Where the cone is not kept on this box, it will hardly be on a larger one: the work ends.
+            total = impulse(bounds) if bounds.are_finite() and cone.is_kept(bounds) else None
             if total is None or not total.is_finite():
                 return None
             spent, pushed = _from_zero(time), _from_zero(total)
@@ -143,7 +144,7 @@ class InvariantRegion:
             needed[form.Y] = box[form.Y] - _from_zero((speed * time).upper())
             moving = [i for i in range(form.size) if i != form.Z]
             if all(tried[i].contains_interior(needed[i]) for i in moving):
-                return total if cone.is_kept(bounds) else None
+                return total
             for i in moving:
                 tried[i] = add_remainder(needed[i], arb(approximate(needed[i].rad()) / 4) + _little(needed[i]))
         return None

@@ -126,7 +126,8 @@ def test_rounded_lengths_have_eight_bits(length: float) -> None:
 
 
 def test_the_plan_for_what_series_leave_out() -> None:
-    """Of a polynomial field the series ends; else the disc and length leave less than the last bits of a step."""
+    """Of a polynomial field the series ends; else the disc and length leave less than the last of the 96 - 32 bits of a
+    coefficient, and not many terms more than that needs."""
     with working_bits(96):
         _, polynomials = TaylorCurve(OSCILLATOR).advance([arb(1), arb(0)], None, 0)
         degree = max(p.degree() for p in polynomials)
@@ -140,11 +141,12 @@ def test_the_plan_for_what_series_leave_out() -> None:
             h, polynomials = curve.advance([arb(1)], None, 0)
         for step in (h, h * arb(2) ** 60):
             disc, length = cauchy_plan(entire, polynomials, step)
-            assert disc in (2, 4, 8)
+            assert disc in (2, 3, 4, 5, 6, 8)
             assert polynomials[0].degree() < length < 200
             start, *rest = polynomials[0].coeffs()
             reach = sum((abs(c) * arb(disc) ** (k + 1) for k, c in enumerate(rest)), arb(0))
-            assert step * (-(start - reach)).exp() * arb(disc) ** (1 - length) < arb(2) ** -90
+            left_out = step * (-(start - reach)).exp() * arb(disc) ** (1 - length)
+            assert arb(2) ** -80 < left_out < arb(2) ** -64
 
 
 def test_rounding_errors_that_a_stiff_spring_enlarges_do_not_shorten_the_steps() -> None:
