@@ -220,6 +220,15 @@ def test_a_sign_of_the_mean_force_has_its_entry() -> None:
     assert mean_without_an_entry(replace(claim, why="the mean force is positive")) == []
 
 
+def test_a_rate_that_grows_as_epsilon_falls_has_an_entry_on_the_fast_time(whole_ledger: list[Entry]) -> None:
+    """The roots of a polynomial are rates of a motion where an entry says so, and in which time."""
+    fast = {entry.identifier for entry in whole_ledger if re.search(r"t/ε", entry.statement)}
+    spoken = [claim for claim in paper_claims() if re.search(r"\brates?\b.* of size 1/ε", claim.why)]
+    assert len(spoken) > 2
+    assert [claim.first for claim in spoken if not fast & {*claim.entries}] == []
+    assert "4-discriminant" not in fast
+
+
 def lacks_the_bridge(claim: PaperClaim) -> bool:
     """Whether a claim on a system in general rests on the leading order of the motivating example alone."""
     in_the_example = 714 <= claim.first < 1316  # Sections 3 and 4

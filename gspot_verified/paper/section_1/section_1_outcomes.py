@@ -24,6 +24,8 @@ JORDAN = "(K + alpha2*q*s)*E"
 LEAVES, G_SPOT = "leaves", "G-spot"
 FOURTH = {"alpha1": "-w", "alpha2": "m", "alpha3": "-u-w"}
 """α_1, α_3 < 0 in none of the Cases I, II, III: α_2 > 0 and α_3 < α_1."""
+LINE = {"alpha1": "-w", "alpha3": "u"}
+"""Signs with which the states of one line alone go to the G-spot."""
 ATTRACTED = {"< -1": "I", "< 1": "II", "> -1": "III", "> 1": None}
 """α_1 < α_3 or α_1 > α_3, and the sign of α_2: the Case, for α_1, α_3 < 0."""
 
@@ -176,6 +178,17 @@ def others_are_cases() -> bool | None:
     return open_one == [f"{order} {sign}"] and ends == [LEAVES] * 3
 
 
+def one_line_alone() -> bool | None:
+    """Whether of the signs not both negative those of ``LINE`` alone lead the line b = c p to the G-spot.
+
+    Whether it is slip there, c = -r < 0, exactly for α_2 = c (α_1 - α_3) > 0.
+    """
+    ends = [pair for pair in product(SIGNS, SIGNS) if end_of(*pair, False) == G_SPOT and pair != (-1, -1)]
+    first, third = (ALGEBRA.read(LINE[name]) for name in ("alpha1", "alpha3"))
+    signs = [1 if rising_signs(value) else -1 if rising_signs(-value) else 0 for value in (first, third)]
+    return ends == [tuple(signs)] and rising_signs(-_SYMBOLS["r"] * (first - third))
+
+
 def _attracting() -> Entry:
     return SECTION.settled(
         "1-attracting-signs",
@@ -184,12 +197,13 @@ def _attracting() -> Entry:
         "Rigid slip with constant α's, none of them 0, α_1 ≠ α_3: outside Cases I, II and III no state of slip "
         "reaches the G-spot, but for those of one line (α_1 < 0 < α_3 and α_2 > 0)",
         Rung.EXACT.check(
-            "states off the line leave unless α_1, α_3 < 0; there λ_N' < -α_2 in the fourth one: lift-off",
-            all_of([solutions_are_right(), others_are_cases(), fourth_lifts_off()]),
+            "states off the line leave unless α_1, α_3 < 0; there λ_N' < -α_2 in the fourth one: lift-off; the line",
+            all_of([solutions_are_right(), others_are_cases(), one_line_alone(), fourth_lifts_off()]),
         ),
         Rung.EXACT.check(
-            "states off the line leave unless α_1, α_3 < 0; the line that they approach has b > 0 in the fourth",
-            all_of([solutions_are_right(), others_are_cases(), fourth_goes_above()]),
+            "states off the line leave unless α_1, α_3 < 0; the line that they approach has b > 0 in the fourth; else "
+            "it is one of slip that goes to the G-spot for α_1 < 0 < α_3, α_2 > 0",
+            all_of([solutions_are_right(), others_are_cases(), one_line_alone(), fourth_goes_above()]),
         ),
         note="That the three Cases do: 1-case-I, 1-case-II, 1-case-III.",
     )

@@ -24,7 +24,7 @@ PRINTED: dict[str, dict[str, str]] = {
     "4-roots-sum": {"sum": "-2 + 0*p", "product": "-p"},
 }
 FAST_RATES = {"y": "v", "v": "p*(z - y)", "z": "-z - (z - y)"}
-"""The fast system in (y, v, z) at b = 0, in units in which epsilon is 1."""
+"""The contact at fixed p and b in the fast time t/ε: y/ε², v/ε and z/ε² less their values at rest."""
 CUBIC = "lam^3 + 2*lam^2 + p*lam + p"
 """The second factor of the characteristic polynomial."""
 ALLOWED = {"4-stable": "x", "4-saddle": "-x"}
@@ -93,8 +93,11 @@ def _cubic_coefficients() -> list[fmpq_mpoly]:
 
 
 def _is_the_factor() -> bool:
-    """Whether -lam times the cubic is the characteristic polynomial of the fast system."""
-    return bool(ALGEBRA.determinant(fast_matrix()) == _SYMBOLS["lam"] * ALGEBRA.read(CUBIC))
+    """Whether the cubic is the characteristic polynomial of the contact, and lam times it that of the fast system."""
+    rates = [[ALGEBRA.read(str(value)) for value in row] for row in small_matrix()]
+    rows = [[_SYMBOLS["lam"] * (i == j) - value for j, value in enumerate(row)] for i, row in enumerate(rates)]
+    cubic, whole = ALGEBRA.read(CUBIC), ALGEBRA.determinant(fast_matrix())
+    return bool(ALGEBRA.determinant(rows) == cubic and whole == _SYMBOLS["lam"] * cubic)
 
 
 def _sign(identifier: str, value: fmpq_mpoly) -> int | None:
@@ -122,7 +125,8 @@ def _stable() -> Entry:
         "4-stable",
         "lines 1101 to 1105",
         r"p>0:\ \operatorname{Re}\lambda_i<0",
-        "For p > 0 all three roots of λ³ + 2 λ² + p λ + p have negative real parts",
+        "For p > 0 all three roots of λ³ + 2 λ² + p λ + p, the rates of the contact at fixed p and b in the fast time "
+        "t/ε, have negative real parts",
         Rung.EXACT.check(
             "Routh-Hurwitz: 1, 2, 2 p - p and p are polynomials in p with positive coefficients only",
             (_is_the_factor() and all_positive(hurwitz)) or None,
@@ -227,7 +231,8 @@ def _saddle() -> Entry:
         "4-saddle",
         "lines 1107 to 1113",
         r"p<0:\ \lambda_1<\lambda_2<0<\lambda_3",
-        "For p < 0 the three roots of λ³ + 2 λ² + p λ + p are real and exactly one is positive",
+        "For p < 0 the three roots of λ³ + 2 λ² + p λ + p, the rates of the contact at fixed p and b in the fast time "
+        "t/ε, are real and exactly one is positive",
         Rung.EXACT.check(
             "discriminant, sum and product of the roots, for every p < 0",
             (_is_the_factor() and real and one_positive) or None,

@@ -25,6 +25,8 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.FOURTH, "alpha2", lambda _: "-m"),
         Bite("hypothesis", ledger.FOURTH, "alpha1", lambda _: "-u-w-w"),
         Bite("hypothesis", ledger.ATTRACTED, "> 1", lambda _: "IV"),
+        Bite("hypothesis", ledger.LINE, "alpha1", lambda _: "w"),
+        Bite("hypothesis", ledger.LINE, "alpha3", lambda _: "-u"),
         NotApplicable("order", _EXACT),
     ),
     "1-rescaled-time": (

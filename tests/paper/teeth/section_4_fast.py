@@ -47,6 +47,7 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger, "CUBIC", unseen_at("p", (1, 2, 3))),
         Bite("hypothesis", ledger.ALLOWED, "4-stable", lambda _: "x - w"),
         Bite("hypothesis", ledger, "field", without_contact),
+        Bite("hypothesis", ledger.FAST_RATES, "z", lambda _: "-z"),
         Bite("order", ledger, "CUBIC", replaced("lam^2", "lam^4")),
     ),
     "4-discriminant": (
@@ -67,6 +68,7 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger, "CUBIC", unseen_at("p", (-1, -2, -3))),
         Bite("hypothesis", ledger.ALLOWED, "4-saddle", lambda _: "x - w"),
         Bite("hypothesis", ledger, "field", without_contact),
+        Bite("hypothesis", ledger.FAST_RATES, "z", lambda _: "-z"),
         Bite("order", ledger, "CUBIC", replaced("p*lam", "p*lam^2")),
     ),
 }
