@@ -1,8 +1,8 @@
-"""``classify --table`` and ``approach --table``: a line of CSV for each row of values, as they come."""
+"""``classify --table`` and ``approach --table``: a line of the answers' file for each row of values, as they come."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
@@ -69,7 +69,7 @@ def _write(run: TableRun, journal: Path | None, with_state: bool, answers: Answe
     """Write the table of answers, print how many there are of each, and end the command."""
     from gspot_verified.cli.load import given_values, load_with_settings
     from gspot_verified.mechanisms.table.parameter_rows import parameter_rows
-    from gspot_verified.work.draft import draft
+    from gspot_verified.work.answers_file import require_writer, write_answers
     from gspot_verified.work.executors import executor
 
     table, output = run.table, run.output
@@ -81,6 +81,7 @@ def _write(run: TableRun, journal: Path | None, with_state: bool, answers: Answe
         raise ValueError(f"--output and --table name the same file {output}")
     outputs.reads(table)
     outputs.file("--output", output)
+    require_writer("--output", output)
     outputs.file("--journal", journal)
     mechanism = load_with_settings(run.name, run.settings)
     columns = parameter_rows(mechanism, table, with_state).parameters
@@ -89,16 +90,21 @@ def _write(run: TableRun, journal: Path | None, with_state: bool, answers: Answe
         raise ValueError(f"--set {twice}: the table has a column {twice}")
     counts: dict[str, int] = {}
     with executor(run.workers, run.scheduler) as pool, outputs.journal(journal):
-        rows = answers(mechanism, pool)
-        with draft(output) as unfinished, unfinished.open("w", encoding="utf-8", newline="") as file:
-            for row in rows:
-                file.write(row.to_csv() if counts else row.csv_head() + row.to_csv())
-                counts[row.summary] = counts.get(row.summary, 0) + 1
+        write_answers(output, _lines(answers(mechanism, pool), counts), columns)
     total = sum(counts.values())
     typer.echo(f"{mechanism.name}: {counted(total, 'row')}")
     for what, count in sorted(counts.items()):
         typer.echo(f"  {counted(count, 'row')}: {what}")
     outputs.leave(0 if total == sum(count for what, count in counts.items() if what.startswith("settled")) else 2)
+
+
+def _lines(rows: Iterable[AnsweredRow], counts: dict[str, int]) -> Iterator[str]:
+    """The names of the columns and the rows, as lines of CSV, counted by what they say."""
+    for row in rows:
+        if not counts:
+            yield row.csv_head()
+        yield row.to_csv()
+        counts[row.summary] = counts.get(row.summary, 0) + 1
 
 
 def _show(done: int) -> None:

@@ -37,6 +37,22 @@ def test_a_line_for_each_row(capsys: pytest.CaptureFixture[str], tmp_path: Path)
     assert not [*tmp_path.glob("*.part")]
 
 
+def test_parquet_holds_what_csv_holds(tmp_path: Path) -> None:
+    """A parameter named like a bound is text, as it was given; numbers are those of the file, bit for bit."""
+    from pyarrow import parquet
+
+    given = table(tmp_path)
+    for suffix in ("csv", "parquet"):
+        assert main([*WORDS, str(given), "--output", str(tmp_path / f"answers.{suffix}")]) == 2
+    rows = list(csv.DictReader((tmp_path / "answers.csv").read_text(encoding="utf-8").splitlines()))
+    columns = parquet.read_table(tmp_path / "answers.parquet").to_pydict()
+    assert [row["L"] for row in rows] == columns["L"] == ["1", "1/3", "1"]
+    for name, values in columns.items():
+        assert [("" if value is None else value) for value in values] == [
+            float(row[name]) if name.endswith(("_lower", "_upper")) and row[name] else row[name] for row in rows
+        ]
+
+
 def test_all_settled_with_settings(tmp_path: Path) -> None:
     given, output = table(tmp_path, "L\n1\n2\n"), tmp_path / "answers.csv"
     assert main([*WORDS, str(given), "--output", str(output), "--set", "mu=8/5"]) == 0

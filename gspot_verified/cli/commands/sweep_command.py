@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -16,7 +15,7 @@ from gspot_verified.cli.commands.mechanism_commands import MechanismName
 from gspot_verified.cli.load import components
 from gspot_verified.cli.output import PICTURES, Outputs
 from gspot_verified.numbers.counted import done_of
-from gspot_verified.work.draft import draft
+from gspot_verified.work.answers_file import require_writer, write_answers
 
 if TYPE_CHECKING:
     from gspot_verified.mechanisms.fates.fates_result import Fates
@@ -61,7 +60,9 @@ def sweep(
             help="How many undecided pieces may be divided again, beyond the cells; 500 if left out, 0 with --from."
         ),
     ] = None,
-    csv: Annotated[Path | None, typer.Option("--csv", help="Write a table, one line for each piece.")] = None,
+    csv: Annotated[
+        Path | None, typer.Option("--csv", help="Write a table, one line for each piece: CSV, or FILE.parquet.")
+    ] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw it, as PNG, PDF or SVG by the file's suffix.")] = None,
     workers: Workers = 1,
     scheduler: Scheduler = None,
@@ -82,6 +83,7 @@ def sweep(
     outputs = Outputs()
     outputs.reads(name)
     outputs.file("--csv", csv)
+    require_writer("--csv", csv)
     outputs.file("--picture", picture, PICTURES)
     outputs.file("--journal", journal)
     ranges, first = _assignments("--over", over), _assignments("--start", start or [])
@@ -102,7 +104,7 @@ def sweep(
             result = _of_states(mechanism, state, ranges, first, digits, surface, work)
             lines, in_parts = partial(result.csv_lines), partial(result.in_parts)
         if csv is not None:
-            outputs.write("--csv", csv, lambda: _replace(csv, lines()))
+            outputs.write("--csv", csv, lambda: write_answers(csv, lines()))
         if as_json:
             summary, rows = in_parts()
             print_json_with_rows(summary, "pieces", rows)
@@ -163,12 +165,6 @@ def _assignments(option: str, texts: list[str]) -> dict[str, str]:
             raise ValueError(f"{option}: {key[:60]} is given twice")
         values[key] = value
     return values
-
-
-def _replace(path: Path, lines: Iterable[str]) -> None:
-    """Write a file whole or not at all."""
-    with draft(path) as unfinished, unfinished.open("w", encoding="utf-8") as file:
-        file.writelines(lines)
 
 
 def _show(done: int, of: int) -> None:
