@@ -53,6 +53,7 @@ RESTRICTIONS = {
     r"runs of Figure \d": r"\bruns?\b|start|Figure|[Pp]anel",
     "ansatz": "ansatz",
     "continuously differentiable": "continuously differentiable",
+    "the last zero": "the last zero",
     r"C_1/Γ\(-β\)": "C_1",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
@@ -367,6 +368,7 @@ def test_a_refuted_claim_that_there_is_something_says_among_what(whole_ledger: l
         ("y diverges", "", "runs of Figure 6 other than ν = 1: y diverges", False),
         ("y diverges", "in the runs of Figure 7", "runs of Figure 6 other than ν = 1: y diverges", True),
         ("b on the outer scale", "", "the exponent of the ansatz is β", False),
+        ("the lift-off time grows", "", "the lift-off time, the last zero of λ_N, grows", False),
         ("it is the only one near by", "", "For continuously differentiable functions it is", False),
         ("it lifts off or takes an impact", "", "it lifts off when C_1/Γ(-β) < 0", False),
         ("it lifts off or takes an impact", "C_1 not 0", "it lifts off when C_1/Γ(-β) < 0", True),

@@ -19,7 +19,7 @@ from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURS
 SECTION = Section("Section 5, outer system and matching")
 ALGEBRA = Algebra(
     "alpha1 alpha2 alpha3 beta delta kappa s tau w T chi x1 b0 b1 y0 y1 v0 v1 z0 z1 lam p a2 a3 y v g0 g1 g2 g3 "
-    "h0 h1 h2 h3 hy1 hv1 hz hz1 hl hx bar bar1 barx barl q1 q2 c1 c2 d1 d2"
+    "h0 h1 h2 h3 hy1 hv1 hz hz1 hl hx hp hp1 bar bar1 barx barl p1 a1 q1 q2 c1 c2 d1 d2 e1 e2"
 )
 _SYMBOLS = ALGEBRA.symbols
 _ZERO, _ONE = ALGEBRA.constant(0), ALGEBRA.constant(1)
@@ -28,8 +28,13 @@ HATTED = {
 }  # fmt: skip
 """Lines 2049 to 2058: the deviations behind the factor T."""
 DISTINGUISHED_P = "alpha1*s + w*q1 + w^2*q2"
-TAYLOR = {"a2": "alpha2 + c1*w^2*hx + c2*w^4*hx^2", "a3": "alpha3 + d1*w^2*hx + d2*w^4*hx^2"}
-"""alpha_2, alpha_3 at ξ* + δ² hx; a term of degree j >= 3 has the factor w^(2 j) T^j, of higher order as well."""
+DEVIATION_OF_P = {"p": "w^2*hp", "p1": "w^2*hp1"}
+"""Behind the factor T: line 2052 leaves it out, as it is smaller by δ² than the others."""
+TAYLOR = {
+    "a1": "alpha1 + e1*w^2*hx + e2*w^4*hx^2", "a2": "alpha2 + c1*w^2*hx + c2*w^4*hx^2",
+    "a3": "alpha3 + d1*w^2*hx + d2*w^4*hx^2",
+}  # fmt: skip
+"""alpha_1, alpha_2, alpha_3 at ξ* + δ² hx; a term of degree j >= 3 has the factor w^(2 j) T^j, of higher order too."""
 PRINTED: dict[str, dict[str, str]] = {
     "5-bpert-v": {"factor": "delta^4"},
     "5-perturbation": {
@@ -92,21 +97,22 @@ def _bpert_v() -> Entry:
 
 
 def leading_equations() -> tuple[dict[str, fmpq_mpoly], list[fmpq_mpoly]]:
-    """SpecialB to specialL for the deviations, left minus right, at leading order; and what is not of higher order."""
+    """SpecialPP to specialL for the deviations, left minus right, at leading order; and what is not of higher order."""
     state = {"before": _SYMBOLS["barx"], "after": ALGEBRA.read("barx + T*hx")}
     values: dict[str, dict[str, fmpq_mpoly]] = {}
     for time in state:
         images = {name: ALGEBRA.read("bar1" if name.endswith("1") else "bar") for name in HATTED}
-        images |= {"lam": _SYMBOLS["barl"]}
+        images |= {"lam": _SYMBOLS["barl"], "p": ALGEBRA.read(DISTINGUISHED_P), "p1": _SYMBOLS["bar1"]}
         if time == "after":
-            images = {name: images[name] + _SYMBOLS["T"] * ALGEBRA.read(hat) for name, hat in HATTED.items()}
+            hats = HATTED | DEVIATION_OF_P
+            images = {name: images[name] + _SYMBOLS["T"] * ALGEBRA.read(hat) for name, hat in hats.items()}
         taylor = {name: ALGEBRA.substitute(ALGEBRA.read(text), {"hx": state[time]}) for name, text in TAYLOR.items()}
-        images |= taylor | {"p": ALGEBRA.read(DISTINGUISHED_P), "delta": _SYMBOLS["w"]}
-        lines = {name: ALGEBRA.read(RECURSION["5-inner-system"][f"special{name}"]) for name in "BYVZL"}
+        images |= taylor | {"delta": _SYMBOLS["w"]}
+        lines = {name: ALGEBRA.read(RECURSION["5-inner-system"][f"special{name}"]) for name in ("PP", *"BYVZL")}
         values[time] = {name: ALGEBRA.substitute(line, images) for name, line in lines.items()}
     found, rest = {}, []
     for name, after in values["after"].items():
-        found[name], others = leading(ALGEBRA, after - values["before"][name], 0, unit=2)
+        found[name], others = leading(ALGEBRA, after - values["before"][name], 2 if name == "PP" else 0, unit=2)
         rest += others
     return found, rest
 
@@ -118,7 +124,8 @@ def _perturbation() -> Entry:
         equations, rest = leading_equations()
         # specialZ and specialL: z = -lambda, lambda = z - y, so lambda = -y/2, as in line 2041.
         force = {"hl": ALGEBRA.read("-y/2"), "hz": ALGEBRA.read("y/2")}
-        slopes = {"g1": parts["b'"], "hy1": parts["y'"], "hv1": parts["v'"]}
+        # specialPP: hp' = e1 hx, and hp stands in no other line.
+        slopes = {"g1": parts["b'"], "hy1": parts["y'"], "hv1": parts["v'"], "hp1": ALGEBRA.read("e1*hx")}
         lines = [ALGEBRA.substitute(equation, force | slopes) for equation in equations.values()]
         field = {"s": _ONE, "g0": parts["b'"], "y": parts["y'"], "v": parts["v'"]}
         powers = [ALGEBRA.derivative(_SYMBOLS["g0"], field, k) for k in range(4)]
@@ -140,7 +147,8 @@ def _perturbation() -> Entry:
         "For every β > 0 the perturbation satisfies the three printed equations, at leading order in ε, and the "
         "elimination of y and v from them gives the printed equation of third order",
         this.check(
-            "specialB to specialL with the factor ε^(2(β-1)/3): what else there is has a higher order for every β > 0",
+            "specialPP to specialL with the factor ε^(2(β-1)/3), that of p smaller by δ²: what else there is, the "
+            "deviation of p too, has a higher order for every β > 0",
             derive,
         ),
         this.check("-2 times the result is eq. de_inner; elimination with α_3 y = 2 b'", section_4),

@@ -40,6 +40,7 @@ TEETH: Teeth = {
         *(Bite("hypothesis", ledger.SCALING, name, lambda power: power + 1) for name in ("p", "b", "y", "v")),
         Bite("hypothesis", ledger.SYNCHRONISED, "Y", lambda _: "Y - 2*y"),
         *(Bite("order", START, part, raised("delta")) for part in START),
+        *(Bite("order", START, part, replaced("delta", "delta^2*delta"), refutes=True) for part in "BYV"),
     ),
     "5-orders": (
         *(
