@@ -30,6 +30,8 @@ HATTED = {
 DISTINGUISHED_P = "alpha1*s + w*q1 + w^2*q2"
 DEVIATION_OF_P = {"p": "w^2*hp", "p1": "w^2*hp1"}
 """Behind the factor T: line 2052 leaves it out, as it is smaller by δ² than the others."""
+RATE_OF_P = "e1*hx"
+"""hp1, by specialPP."""
 TAYLOR = {
     "a1": "alpha1 + e1*w^2*hx + e2*w^4*hx^2", "a2": "alpha2 + c1*w^2*hx + c2*w^4*hx^2",
     "a3": "alpha3 + d1*w^2*hx + d2*w^4*hx^2",
@@ -124,8 +126,8 @@ def _perturbation() -> Entry:
         equations, rest = leading_equations()
         # specialZ and specialL: z = -lambda, lambda = z - y, so lambda = -y/2, as in line 2041.
         force = {"hl": ALGEBRA.read("-y/2"), "hz": ALGEBRA.read("y/2")}
-        # specialPP: hp' = e1 hx, and hp stands in no other line.
-        slopes = {"g1": parts["b'"], "hy1": parts["y'"], "hv1": parts["v'"], "hp1": ALGEBRA.read("e1*hx")}
+        # hp stands in no line.
+        slopes = {"g1": parts["b'"], "hy1": parts["y'"], "hv1": parts["v'"], "hp1": ALGEBRA.read(RATE_OF_P)}
         lines = [ALGEBRA.substitute(equation, force | slopes) for equation in equations.values()]
         field = {"s": _ONE, "g0": parts["b'"], "y": parts["y'"], "v": parts["v'"]}
         powers = [ALGEBRA.derivative(_SYMBOLS["g0"], field, k) for k in range(4)]

@@ -35,6 +35,7 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.TAYLOR, "a3", replaced("d1*w^2", "d1")),
         Bite("hypothesis", ledger.TAYLOR, "a2", replaced("c1*w^2", "c1")),
         Bite("hypothesis", ledger.TAYLOR, "a1", replaced("e1*w^2", "e1")),
+        Bite("factor", ledger, "RATE_OF_P", scaled),
         Bite("order", ledger.DEVIATION_OF_P, "p", replaced("w^2*", "")),
         Bite("order", ledger.DEVIATION_OF_P, "p1", replaced("w^2*", "")),
         *(Bite("order", PERTURBATION, part, raised("s")) for part in PERTURBATION),
