@@ -49,6 +49,7 @@ RESTRICTIONS = {
     "defined for p < 0 too": "p < 0|p = 0 is reached",
     "analytic functions": "analytic functions",
     "far from rest": "far from rest",
+    "slip being positive": "positive there too",
     r"C_1, α_2 not 0": "α_2 not 0|mean force|fixed τ",
     r"runs of Figure \d": r"\bruns?\b|start|Figure|[Pp]anel",
     "ansatz": "ansatz",
