@@ -49,7 +49,7 @@ def _force() -> Entry:
         "1-force",
         "lines 168 to 170",
         r"\lambda_N=-b/p,\quad p=C-\mu B",
-        "Contact with positive slip is sustained (dv/dt = 0) for λ_N = -b/p, p = C - μ B, where p is not 0",
+        "Contact with positive slip is sustained (dv/dt = 0) for λ_N = -b/p, p = C - μ B, where this is positive",
         this.check("the normal acceleration with λ_T = -μ λ_N vanishes at this force", vanishes),
         this.check(
             "Newton's law with the mass matrix: the tangential acceleration drops out, and V = p λ_N", by_newton

@@ -235,8 +235,8 @@ def _tangential() -> Entry:
         "2-tangential",
         "lines 612 to 617 and 929 to 931",
         r"x\ \text{is a cyclic coordinate; no transition to stick without }u",
-        "x enters no equation of the extended example; in slip the equations for p, b, y, v, z, which for χ = 0 are "
-        "those of the motivating example, have no u either: they say nothing of a stop",
+        "x enters no equation of the extended example; in slip the equations for p, b, y, v, z, which for χ = 0 and "
+        "positive slip are those of the motivating example, have no u either: they say nothing of a stop",
         Rung.EXACT.check(
             "eqs. xdot, udot, newex1 to newex5, derived by x and by u; with c = 1, χ = 0 eqs. modelsys1 to modelsys5",
             all_of([denied(one_of(normal)), slip_is_the_motivating_example()]),

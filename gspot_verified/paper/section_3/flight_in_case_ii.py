@@ -106,8 +106,8 @@ def _persists() -> Entry:
             f"{', '.join(map(str, BETAS))}: lift-off, and no other change of phase until t = 1",
             runs_do_not_touch_down(),
         ),
-        note="These runs lift off before p = 0, where b has passed through 0: 3-case-II-starts. With b < 0 at lift-off "
-        "the flight may end.",
+        note="These runs lift off before p = 0, where b has passed through 0: 3-case-II-starts. Of b < 0 at lift-off "
+        "nothing is said.",
     )
 
 

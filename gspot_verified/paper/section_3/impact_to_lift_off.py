@@ -173,7 +173,7 @@ def _impact_to_lift_off() -> Entry:
         f"λ_N < {most}; from there on p, v and y fall first and λ_N grows, to more than {PEAK}; p, v, λ_N and y turn "
         "in this order, each once up to lift-off: p, v and y rise then. The slip velocity that is lost up to lift-off "
         f"({losses}) does not depend on u(0), where u(0) is larger than it: lift-off can come at every share of the "
-        "slip velocity at the G-spot",
+        "slip velocity at the G-spot strictly between none and all of it",
         Rung.BALLS.check(
             "certified runs by the validated integrator, lift-off the only event: the signs of the rates of p, v, y "
             "and λ_N in boxes that enclose all of the motion in slip; eqs. udot, newex1 to newex5 in slip, derived by "

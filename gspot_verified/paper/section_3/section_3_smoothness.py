@@ -48,6 +48,8 @@ def _smoothness(beta: fmpq) -> Entry:
     orders = range(DIVERGES[beta] + 1)
     word = ("y itself", "the first derivative of y", "the second derivative of y")[DIVERGES[beta]]
     lines = {0: "lines 799 to 800", 1: "lines 801 to 802", 2: "lines 802 to 803"}[DIVERGES[beta]]
+    # For β < 1 the run of ν = 1 is none of the trivial solution: b(0) < 0, and (1 + ν)|λ̄| in the place of (ν - 1)λ̄.
+    other = "" if beta < 1 else " other than ν = 1"
     values = []
     for epsilon in SHOWN:
         with working_bits(64):
@@ -57,7 +59,7 @@ def _smoothness(beta: fmpq) -> Entry:
         smoothness_identifier(beta),
         lines,
         rf"\beta={float(beta.p) / float(beta.q)}:\ \text{{{word} appears to diverge}}",
-        f"β = {beta}, runs of fig. varsim1 other than ν = 1, in the scale ε² of y: at the G-spot {word} has size "
+        f"β = {beta}, runs of fig. varsim1{other}, in the scale ε² of y: at the G-spot {word} has size "
         f"ε^(-1/3), and diverges as ε → 0; the derivatives of lower order tend to 0 (the trivial solution taken off)",
         Rung.BALLS.check(
             f"proofs/scaling_exponents.md, Theorem E3: the exponent of each derivative over ε², every ε <= {LARGEST}",
