@@ -377,6 +377,51 @@ Definition hinge : Prop := forall (f : R -> R) s t1 t2, t1 <= 0 <= t2 -> (forall
   ((forall t, t1 <= t <= 0 -> 0 < - (s * Derive f t)) -> forall t, t1 <= t < 0 -> 0 < s * f t) /\
   ((forall t, 0 <= t <= t2 -> 0 < s * Derive f t) -> forall t, 0 < t <= t2 -> 0 < s * f t).
 
+(** ** Hadamard's finite part; t -> +oo: the saddle point r = sqrt t with an explicit remainder *)
+
+(** Hadamard's finite part, where the Laplace integral diverges at 0: for every x > 0 and every derivative, the sum of
+    the terms over (0, x) and the integral over (x, oo). e^(rt - r^3/3) is the sum of (-1)^n P_n(t)/n! r^n. *)
+Definition finite_part_integral : Prop := forall b theta k t x, not_nat b -> is_Theta b theta -> 0 < x ->
+  let term := fun n => (-1) ^ n * Poly n t / INR (fact n) / (INR n + (INR k - b)) in
+  ex_pseries term x /\
+  is_lim (fun T => RInt (fun r => Rpower r (INR k - b - 1) * exp (r * t - r ^ 3 / 3)) x T) p_infty
+    (Gamma (- b) * Derive_n theta k t - Rpower x (INR k - b) * PSeries term x).
+
+(** g_k = (1/2)_k [u^(2k)] (1 + u)^(-b-1) (1 + u/3)^(-k-1/2). *)
+Definition saddle_coefficient (b : R) (k : nat) : R :=
+  rising (1 / 2) k * sum_first (fun j => rising (b + 1) (2 * k - j) / INR (fact (2 * k - j))
+    * (rising (INR k + 1 / 2) j / (3 ^ j * INR (fact j)))) (S (2 * k)).
+
+(** E_1 + ... + E_4 of proofs/positive.md, lambda = t^(3/2): m is any integer >= - b - 1, and 0 < eta < 1. *)
+Definition saddle_error (b lambda eta rho : R) (N m : nat) : R :=
+  let sigma := eta * sqrt (1 - eta / 3) in
+  let M := (1 + eta) ^ m * Rpower (1 - eta) (- b - 1 - INR m) * (2 - sqrt (1 - eta / 3)) / (1 - eta / 2) in
+  let p := Rmax 0 (- b - 1) in
+  M * Gamma (INR N + 1 / 2) / (lambda * sigma ^ 2) ^ N / sqrt lambda
+    + 2 * M * exp (- (lambda * sigma ^ 2)) / (lambda * sigma)
+    + exp (p * sigma - lambda * sigma ^ 2) / (2 * lambda * sigma - p)
+    + Rmax 1 (Rpower rho (- b - 1)) * exp (- (lambda * sigma ^ 2)).
+
+(** The integers n next to b stand apart: A holds all with |n - b| < 1/2, so it may be empty if there are none. Their
+    coefficients are those of e^(rt - r^3/3), (-1)^n P_n(t)/n! with the polynomials P_n above. *)
+Definition saddle_remainder : Prop := forall b theta t eta rho (N m : nat) (A : list nat),
+  not_nat b -> is_Theta b theta -> 0 < t -> 0 < eta < 1 -> 0 < rho <= 1 - eta -> - b - 1 <= INR m ->
+  NoDup A -> (forall n, ~ In n A -> 1 / 2 <= Rabs (INR n - b)) ->
+  let lambda := t * sqrt t in
+  let sigma := eta * sqrt (1 - eta / 3) in
+  INR (2 * N) <= lambda * sigma ^ 2 -> Rmax 0 (- b - 1) < 2 * lambda * sigma ->
+  let near := fun n => (-1) ^ n * Poly n t / INR (fact n) / (INR n - b) * Rpower (rho * sqrt t) (INR n - b) in
+  let K := Rpower t (- b / 2) * exp (2 * lambda / 3) in
+  Rabs (Gamma (- b) * theta t - fold_right Rplus 0 (map near A)
+      - K * (sqrt PI / sqrt lambda * sum_first (fun k => saddle_coefficient b k / lambda ^ k) N))
+    <= K * saddle_error b lambda eta rho N m + 2 * Rpower (rho * sqrt t) (- b) * exp (lambda * (rho + rho ^ 3 / 3)).
+
+(** So the series sum g_k lambda^(-k) is asymptotic to Theta, to every order. *)
+Definition positive_series : Prop := forall b theta (N : nat), not_nat b -> is_Theta b theta -> exists C T,
+  forall t, T <= t -> let lambda := t * sqrt t in
+    Rabs (Gamma (- b) * theta t / (Rpower t (- b / 2) * exp (2 * lambda / 3) * (sqrt PI / sqrt lambda))
+      - sum_first (fun k => saddle_coefficient b k / lambda ^ k) N) <= C / lambda ^ N.
+
 (** ** Power series in beta *)
 
 (** 1/Gamma is an entire function: one power series, for all x. *)

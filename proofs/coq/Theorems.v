@@ -19,7 +19,8 @@ From GSpot Require Import Calculus TruncatedIntegral GammaFunction LaplaceIntegr
   BudanFourier BudanTails GammaEntire ThetaEntire AnalyticZeros CheckerSound CheckerCounts CheckerRuns DipSound.
 From GSpot Require CompliantGrowth CompliantGrowthSet BoxModel RoundedStep CarriedModel SignOnBox StatementStep
   ValidatedStep Events StatementApproach Capture SignOfC1 NegativeC1 StatementPassage PassageEquations PassageNorm
-  PassageForce PassageDrift StatementForce ForceRuns StatementRun RunRuns Majorant.
+  PassageForce PassageDrift StatementForce ForceRuns StatementRun RunRuns Majorant FinitePart SaddleRemainder
+  PositiveSeries.
 From GSpot Require Import Statement StatementModels StatementCompliant StatementFlight StatementCertificate
   StatementChecker.
 Import ListNotations.
@@ -269,6 +270,17 @@ Proof. exact FoldAndHinge.fold. Qed.
 
 Theorem hinge : Statement.hinge.
 Proof. exact FoldAndHinge.hinge. Qed.
+
+(** ** Hadamard's finite part; t -> +oo *)
+
+Theorem finite_part_integral : Statement.finite_part_integral.
+Proof. exact FinitePart.finite_part_integral. Qed.
+
+Theorem saddle_remainder : Statement.saddle_remainder.
+Proof. exact SaddleRemainder.saddle_remainder. Qed.
+
+Theorem positive_series : Statement.positive_series.
+Proof. exact PositiveSeries.positive_series. Qed.
 
 (** ** Power series in beta *)
 

@@ -15,21 +15,19 @@ from gspot_verified.theta_function.gamma.reciprocal_gamma import reciprocal_gamm
 from gspot_verified.theta_function.sums.finite_part import near_integers, weight
 from gspot_verified.theta_function.sums.saddle_series import saddle_series, split_length, split_saddle_series
 
-_SHARE = fmpq(9, 10)  # of the disc of convergence: any in (0, 1) is right, proofs/positive.md
 _THREE_QUARTERS = fmpq(3, 4)  # exact, made once
 _BITS_OF_A_BOUND = 64  # of a bound, of which a few digits count; any number is right
 
 
 @dataclass(frozen=True, slots=True)
 class SaddlePlan:
-    """What the bound may choose freely: N terms, the disc |u| <= disc, the cut r = cut * sqrt(tau), and how much
-    of the disc of convergence in s is used. Hypotheses: 0 < disc < 1, 0 < cut <= 1 - disc, 0 < share < 1, N >= 1.
+    """What the bound may choose freely: N terms, the disc |u| <= disc and the cut r = cut * sqrt(tau).
+    Hypotheses: 0 < disc < 1, 0 < cut <= 1 - disc, N >= 1.
     ``split``: sum the series by binary splitting where tau and beta are rational, N rounded up to whole blocks."""
 
     terms: int
     disc: fmpq
     cut: fmpq
-    share: fmpq = _SHARE
     split: bool = False
 
 
@@ -117,19 +115,18 @@ def _saddle_remainder(large: arb, beta: arb, plan: SaddlePlan) -> arb:
     """sqrt(lambda) (E_1 + E_2 + E_3 + E_4) of the proof page; not finite when a hypothesis is not certain."""
     with working_bits(64):
         terms, disc = plan.terms, plan.disc
-        if not (0 < disc < 1 and 0 < plan.cut <= 1 - disc and 0 < plan.share < 1 and terms >= 1):
+        if not (0 < disc < 1 and 0 < plan.cut <= 1 - disc and terms >= 1):
             return nonfinite()
-        radius = disc * arb(1 - disc / 3).sqrt()
-        sigma = plan.share * radius
+        root = arb(1 - disc / 3).sqrt()
+        sigma = disc * root
         growth = (-beta - 1).max(arb(0))
         if not (large * sigma * sigma >= 2 * terms and 2 * large * sigma > growth):
             return nonfinite()
-        on_circle = (arb(1 - disc) ** (-beta - 1)).max(arb(1 + disc) ** (-beta - 1))
-        majorant = on_circle * arb(1 + disc / 3).sqrt() / arb(1 - disc / 2)
-        geometric = 1 / arb(1 - plan.share**2)
+        m = growth.upper().ceil()  # any integer >= -beta - 1
+        norm = arb(1 + disc) ** m * arb(1 - disc) ** (-beta - 1 - m) * (2 - root) / arb(1 - disc / 2)
         gauss = (-large * sigma * sigma).exp()
-        inside = majorant * geometric * (arb(terms) + fmpq(1, 2)).gamma() / (radius * radius * large) ** terms
-        outside = 2 * majorant * geometric * gauss / sigma / large.sqrt()
+        inside = norm * (arb(terms) + fmpq(1, 2)).gamma() / (sigma * sigma * large) ** terms
+        outside = 2 * norm * gauss / sigma / large.sqrt()
         right = (growth * sigma).exp() * gauss / (2 * large * sigma - growth) * large.sqrt()
         left = (arb(plan.cut) ** (-beta - 1)).max(arb(1)) * gauss * large.sqrt()
         return inside + outside + right + left

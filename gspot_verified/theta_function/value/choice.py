@@ -127,21 +127,7 @@ _LN2 = math.log(2)  # nats of a bit
 _SQRT_3 = math.sqrt(3)  # tangent of 60 degrees
 _GUARD = 8  # bits beyond those asked for, lost on the way; any number is right
 _TINY = 1e-60  # in place of tau = 0, which has no logarithm
-# Discs of the saddle point and the share of them that is used, both in percent.
-_DISCS = (
-    (72, 90),
-    (80, 95),
-    (66, 90),
-    (60, 90),
-    (52, 90),
-    (44, 90),
-    (36, 90),
-    (28, 90),
-    (20, 90),
-    (14, 90),
-    (10, 90),
-    (6, 90),
-)
+_DISCS = (72, 80, 66, 60, 52, 44, 36, 28, 20, 14, 10, 6)  # of the saddle point, in percent
 SPLITTING_FROM_BITS = 900  # by trial: from there on splitting is faster than the floating series
 _TERMS_ONE_BY_ONE = 40  # beyond the turn of the terms' sizes; then they are counted by a formula
 _SPLITTING_HEIGHT = 256  # bits of the integers of one term with which splitting is fast
@@ -295,22 +281,21 @@ def saddle_plan(tau: float, beta: float, goal: int) -> SaddlePlan | None:
     large = tau**1.5
     target = (goal + 4) * _LN2 + _log_growth(large, beta)
     best: tuple[int, SaddlePlan] | None = None
-    for percent, share in _DISCS:
+    for percent in _DISCS:
         disc = percent / 100
         cut = min(1 - disc, 0.45)
-        radius = disc * math.sqrt(1 - disc / 3)
-        sigma = share / 100 * radius
-        log_circle = max(-(beta + 1) * math.log(1 - disc), -(beta + 1) * math.log(1 + disc))
+        sigma = disc * math.sqrt(1 - disc / 3)
+        whole = max(0, math.ceil(-(beta + 1)))
+        log_norm = whole * math.log(1 + disc) - (beta + 1 + whole) * math.log(1 - disc)
         near_zero = large * (2 / 3 - cut - cut**3 / 3) + beta * math.log(cut)
-        tails = large * sigma**2 - max(0.0, -(beta + 1)) * sigma - max(0.0, log_circle, -(beta + 1) * math.log(cut))
+        tails = large * sigma**2 - max(0.0, -(beta + 1)) * sigma - max(0.0, log_norm, -(beta + 1) * math.log(cut))
         if min(near_zero, tails - 0.5 * math.log(large)) < target:
             continue
-        terms = _saddle_terms(radius * radius * large, log_circle + 3 + target)
+        terms = _saddle_terms(sigma * sigma * large, log_norm + 1 + target)
         if terms is None or 2 * terms > large * sigma**2:
             continue
         if best is None or terms < best[0]:
-            parts = fmpq(percent, 100), fmpq(min(100 - percent, 45), 100), fmpq(share, 100)
-            best = (terms, SaddlePlan(terms, *parts))
+            best = (terms, SaddlePlan(terms, fmpq(percent, 100), fmpq(min(100 - percent, 45), 100)))
     return best[1] if best else None
 
 
