@@ -209,13 +209,14 @@ Lemma rest_of_series (c : nat -> R) x y n M : is_pseries c x y ->
     Rabs (y - sum_first (fun k => c k * x ^ k) n) <= M.
 Proof.
 intros H HM.
+assert (Sum : forall u w : R, plus u w = u + w) by reflexivity.
 assert (Eq : forall k, sum_n (fun k => scal (pow_n x k) (c k)) k = sum_first (fun k => c k * x ^ k) (S k)).
 { induction k as [|k IH].
   - rewrite sum_O. simpl. unfold scal; simpl; unfold mult, one; simpl. ring.
   - rewrite sum_Sn, IH.
     change (sum_first (fun k => c k * x ^ k) (S (S k))) with (sum_first (fun k => c k * x ^ k) (S k)
       + c (S k) * x ^ S k).
-    unfold plus; cbn [AbelianGroup.plus]. rewrite pow_n_pow. unfold scal; simpl; unfold mult; simpl. ring. }
+    rewrite Sum, pow_n_pow. unfold scal; simpl; unfold mult; simpl. ring. }
 assert (Part : forall N, Rabs (sum_first (fun k => c k * x ^ k) (n + N) - sum_first (fun k => c k * x ^ k) n) <= M).
 { intros N. eapply Rle_trans; [|apply (HM N)]. induction N as [|N IH].
   - rewrite Nat.add_0_r, Rminus_diag_eq, Rabs_R0 by reflexivity. simpl. lra.

@@ -192,6 +192,30 @@ def drift(page: Page, h_1: mpf) -> mpf:
     return found
 
 
+def test_the_amplitude_is_carried_from_the_limit_where_h_is_0() -> None:
+    """As δ → 0, h at p_1 tends to 0: then only what is gained at the hand-over is left, in its own interval."""
+    of, of_large, least = made(), made(), Fraction(2**40)
+    large = passage.read_polynomial([[1, 0, str(least)]], "w")
+    of_large.passed.slow.w = large
+    (low, _), page = of_large.carried(numbers()), Page(of, of.most)
+    gained = -page.beta * real(least) * page.h * 2 / 3
+    # The h at the hand-over is an interval of a few units; with h at p_1 from 1 unit on there would be 2^40 more.
+    assert real(low) <= gained - real(of.passed.moved)
+    spread = side.root_of(numbers(), 1 / (of.start.a * of.scaled**3))
+    assert real(low) >= gained - real(of.passed.moved) - real(least) * real(spread[1] - spread[0]) / ONE * page.beta
+
+
+def test_the_column_of_the_slow_vector_is_paid_where_b_is_not_exact(monkeypatch: pytest.MonkeyPatch) -> None:
+    """e_b = -a S is a ball: what it leaves of e_y and e_v counts with its share of their columns."""
+    of = made()
+    plain = side.handed_over(numbers(), of)
+    monkeypatch.setattr(side, "times", lambda *_: 1 << 250)
+    wide = side.handed_over(numbers(), of)
+    assert plain.radii[0] > 0
+    for one, other in zip(plain.radii[1:], wide.radii[1:], strict=True):
+        assert other > (1 << 250) > other - one
+
+
 def test_the_amplitude_moves_as_the_slow_part_and_the_fast_part_say() -> None:
     of = made(least="1/4")
     low, high = map(real, of.carried(numbers()))
