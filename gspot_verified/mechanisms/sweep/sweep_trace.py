@@ -35,13 +35,15 @@ class TubeTrace:
         lower: tuple[fmpq, ...],
         upper: tuple[fmpq, ...],
         search: Callable[[], OnTube | None],
+        is_sought: Callable[[OnTube], bool] | None = None,
     ) -> OnTube | None:
-        """A proved tube over the box: by the choice that is known for this call, else by the search."""
+        """A proved tube over the box: by the choice that is known for this call, if that ``is_sought``, else by the
+        search."""
         number = len(self.met)
         if number < len(self._known):
             choice = self._known[number]
             on = None if choice is None else _proved(equations, lower, upper, choice)
-            if choice is None or on is not None:
+            if choice is None or (on is not None and (is_sought is None or is_sought(on))):
                 self.met.append(choice)
                 return on
         on = search()

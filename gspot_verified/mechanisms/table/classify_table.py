@@ -28,7 +28,7 @@ from gspot_verified.mechanisms.sweep.sweep_trace import Choice, TubeTrace
 from gspot_verified.mechanisms.sweep.sweep_work import compiled, read_line, whole_text
 from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
 from gspot_verified.mechanisms.table.parameter_rows import ParameterRow, Row, parameter_rows
-from gspot_verified.mechanisms.table.row_search import Start, middle_of, searched
+from gspot_verified.mechanisms.table.row_search import Start, is_sought, middle_of, searched
 from gspot_verified.mechanisms.table.table_work import Kept, answered_rows
 from gspot_verified.mechanisms.zeros.tube import Equations
 from gspot_verified.numbers.balls import working_bits
@@ -141,7 +141,8 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
         return _unknown(mechanism, row, "refused", str(error))
     with working_bits(BITS):
         equations = question.equations()
-        on = trace.tube(equations, values, values, partial(searched, equations, question.start, values))
+        search = partial(searched, equations, question.start, values)
+        on = trace.tube(equations, values, values, search, partial(is_sought, question.start, values))
         if on is None:
             return _unknown(mechanism, row, "undecided", _NOT_FOUND)
         facts, point = findings(on, {}), counted_from_zero(mechanism, on.tube.zero_at(values))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -15,7 +16,7 @@ from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import GSpot, symbolic_place
 from gspot_verified.mechanisms.spots.parametric_system import parametric_system
 from gspot_verified.mechanisms.sweep.sweep_grid import newton_origin
-from gspot_verified.mechanisms.sweep.sweep_start import proved_tube
+from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube
 from gspot_verified.numbers.balls import ball, working_bits
 
@@ -46,6 +47,22 @@ def middle_of(spot: GSpot) -> tuple[fmpq, ...]:
 def searched(equations: Equations, start: Start, values: tuple[fmpq, ...]) -> OnTube | None:
     """A proved tube over the one point: from the place that the mechanism names, with these values, or from its own
     G-spot."""
+    tubes = (proved_tube(equations, values, values, origin) for origin in _origins(start, values))
+    return next((on for on in tubes if on is not None), None)
+
+
+def is_sought(start: Start, values: tuple[fmpq, ...], on: OnTube) -> bool:
+    """Whether a tube holds the first point to which the search goes: a journal may hold a tube of another G-spot."""
+    origin = next(_origins(start, values), None)
+    if origin is None:
+        return False
+    conditions, _ = _programs(start.mechanism, start.parameters, start.fixed)
+    # A tube is much narrower than what is left of the last step: one more goes into it.
+    nearer = newton_origin(conditions, values, [arb(value).mid() for value in origin.centre], float("inf"), 1)
+    return nearer is not None and on.tube.holds_at(values, [arb(value) for value in nearer.centre])
+
+
+def _origins(start: Start, values: tuple[fmpq, ...]) -> Iterator[Origin]:
     conditions, place = _programs(start.mechanism, start.parameters, start.fixed)
     points = [[arb(value).mid() for value in start.own]]
     if place is not None:
@@ -54,10 +71,8 @@ def searched(equations: Equations, start: Start, values: tuple[fmpq, ...]) -> On
             points.insert(0, [value.mid() for value in named])
     for point in points:
         origin = newton_origin(conditions, values, point, float("inf"), _STEPS)
-        on = None if origin is None else proved_tube(equations, values, values, origin)
-        if on is not None:
-            return on
-    return None
+        if origin is not None:
+            yield origin
 
 
 @lru_cache(maxsize=4)

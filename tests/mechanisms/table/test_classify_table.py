@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 
@@ -138,6 +139,19 @@ def test_the_same_for_every_executor_and_after_a_kill(tmp_path: Path, monkeypatc
         assert list(classify_table(ROD, other, journal=path)) == found
     with pytest.raises(ValueError, match="not a journal of this question"):
         classify_table(ROD, [{"mu": 2}], journal=path)
+
+
+def test_a_recalled_tube_of_another_spot_is_not_the_rows(tmp_path: Path) -> None:
+    """The rod's mirrored G-spot is of no Case; its journal under this question's first line changes nothing."""
+    rod, rows = load("genot_brogliato_rod"), [{"mu": 2}, {"mu": "9/4"}]
+    expected = list(classify_table(rod, rows, journal=tmp_path / "own"))
+    assert {row.case for row in expected} == {"II"}
+    there = {word: -value if word in ("Y_dot", "theta_dot") else value for word, value in rod.place.values}
+    mirrored = replace(rod, place=replace(rod.place, values=tuple(there.items())))
+    assert {row.case for row in classify_table(mirrored, rows, journal=tmp_path / "other")} == {"none"}
+    first, other = ((tmp_path / name).read_text().splitlines() for name in ("own", "other"))
+    (tmp_path / "forged").write_text(f"{first[0]}\n{other[1]}\n")
+    assert list(classify_table(rod, rows, journal=tmp_path / "forged")) == expected
 
 
 def test_known_tubes_save_the_search(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

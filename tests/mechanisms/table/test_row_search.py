@@ -15,7 +15,7 @@ from gspot_verified.mechanisms.sweep.sweep_cell import BITS
 from gspot_verified.mechanisms.sweep.sweep_first import first_spot, with_place_of
 from gspot_verified.mechanisms.sweep.sweep_work import compiled
 from gspot_verified.mechanisms.table import row_search as module
-from gspot_verified.mechanisms.table.row_search import Start, middle_of, searched
+from gspot_verified.mechanisms.table.row_search import Start, is_sought, middle_of, searched
 from gspot_verified.numbers.balls import ball, working_bits
 
 ROD = load("rod")  # at rest in the angle of its reference, Y = 3 l/5, for mu = 73/36 and l = 1
@@ -70,6 +70,22 @@ def test_first_at_the_place_with_the_rows_values(monkeypatch: pytest.MonkeyPatch
     middle = middle_of(first_spot(ROD, None))
     assert all(abs(value - number) < arb("1e-20") for value, number in zip(own, middle, strict=True))
     assert all(value.is_exact() for value in own)
+
+
+def test_a_tube_of_another_spot_is_not_what_is_sought() -> None:
+    """The rod has a G-spot with theta_dot and Y_dot of the other sign."""
+    here, values = start_of(ROD), (fmpq(2), fmpq(1))
+    there = {word: -value if word in ("Y_dot", "theta_dot") else value for word, value in ROD.place.values}
+    mirrored = start_of(replace(ROD, place=replace(ROD.place, values=tuple(there.items()))))
+    equations = compiled(here.mechanism, COLUMNS, here.fixed)
+    own, other = (searched(equations, start, values) for start in (here, mirrored))
+    assert own is not None
+    assert other is not None
+    assert is_sought(here, values, own)
+    assert not is_sought(here, values, other)
+    assert is_sought(mirrored, values, other)
+    nowhere = replace(here, mechanism=load("rod", g=0), own=(fmpq(0),) * len(here.own))
+    assert not is_sought(nowhere, values, own)
 
 
 def test_a_place_that_is_no_number_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
