@@ -120,9 +120,11 @@ _LEAST_EPSILON = fmpq(1, 10**6)  # a limit of input
 _LEAST_STEP = 1e-6  # likewise
 _EARLY = 0.95  # of the certified time: an event before it is not the one that is certified
 _LATE = 1.05  # the same for events of rigid slip, which come at their time, not after it
+_LASTING = 0.03  # of the certified time: so long a contact is lost; rows further apart do not show what comes when
 _SAME = 1e-3  # of the certified time, and of 1 + |value|: nearer to the certified start a table begins in it
 _EXPECTED = {LIFT_OFF: (LEAVES,), IMPACT: (STOPS, IMPULSE), "stick": (STOPS,)}
-RIGHT, EARLY, WRONG, SILENT, OPEN, FAILED = "agrees", "too early", "differs", "no event", "not comparable", "failed"
+RIGHT, EARLY, WRONG, SILENT, SHORT = "agrees", "too early", "differs", "no event", "ends early"
+OPEN, FAILED = "not comparable", "failed"
 
 
 @dataclass(frozen=True)
@@ -130,7 +132,9 @@ class SimulatorRun(NoTruthValue, Written):
     """What happens first in one run, at which time and slip velocity, and how that agrees with what is certified.
 
     ``agrees``: "agrees", "differs", "too early" (before the certified event, where rigid slip is certified to keep the
-    contact), "no event", "not comparable" (nothing is certified), "failed" (``happened`` says why).
+    contact), "no event", "ends early" (nothing, and it ends before three times the certified time, or in what may be a
+    flight), "not comparable" (no side is certified, or the rows about it lie too far apart), "failed" (``happened``
+    says why).
     """
 
     ask: ClassVar[str] = ".agrees is a text"
@@ -329,16 +333,16 @@ class _Judge:
 
     def judged(self, simulator: str, settings: str, motion: Simulated) -> SimulatorRun:
         """What happens in a motion, beside what is certified."""
-        found = what_happens(motion, self.functions, self.velocity)
+        found = what_happens(motion, self.functions, self.velocity, lasting=_LASTING * self.time)
         return SimulatorRun(simulator, settings, found.what, found.time, found.slip, self._agrees(found))
 
     def _agrees(self, found: Happened) -> str:
         if found.time is None:
-            return SILENT
+            return SILENT if found.since >= (_LATER - _LASTING) * self.time else SHORT
         if found.time < _EARLY * self.time:
             return EARLY
         expected = _EXPECTED.get(self.certified.side or self.certified.end or "")
-        if expected is None:
+        if expected is None or found.time - found.since > _LASTING * self.time:
             return OPEN
         late = self.certified.end != "G-spot" and found.time > _LATE * self.time
         return RIGHT if found.what in expected and not late else WRONG

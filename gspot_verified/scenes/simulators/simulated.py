@@ -14,7 +14,6 @@ from gspot_verified.scenes.scene.scene import SceneError
 from gspot_verified.scenes.simulators.contact_floats import ContactFloats
 
 LEAVES, IMPULSE, STOPS, NOTHING = "leaves the surface", "leaves after an impulse", "slip stops", "no event"
-_LASTING = 0.01  # of the time that is shown: so long a contact is lost, or it is a rebound of the step
 _SLOW = 0.01  # of the slip velocity at the start: below it slip has stopped
 _BRAKED = 0.5  # of the same: who leaves with less has met an impulse
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
@@ -32,28 +31,37 @@ class Simulated:
 
 @dataclass(frozen=True)
 class Happened:
-    """What comes first, when, and with which slip velocity against the surface."""
+    """What comes first, at the time of the row in which it is seen, and with which slip velocity against the surface.
+
+    ``since``: up to this time nothing came.
+    """
 
     what: str
     time: float | None
     slip: float | None
+    since: float
 
 
-def what_happens(motion: Simulated, functions: ContactFloats, surface_velocity: float = 0.0) -> Happened:
-    """Contact is lost where the force is 0 (if there is none: where y > 0) for a hundredth of the time and longer;
-    slip stops where it is below a hundredth of what it was, or has turned since the row before."""
+def what_happens(
+    motion: Simulated, functions: ContactFloats, surface_velocity: float = 0.0, *, lasting: float
+) -> Happened:
+    """Contact is lost where the force is 0 (if there is none: where y > 0) for a time ``lasting`` and longer, else that
+    is a rebound of the step; slip stops where it is below a hundredth of what it was, or has turned since the row
+    before."""
     contacts = [functions.contact(state) for state in motion.states]
     slips = [contact.u - surface_velocity for contact in contacts]
     free = [c.y > 0 for c in contacts] if motion.forces is None else [force <= 0 for force in motion.forces]
-    lasting = _LASTING * (motion.times[-1] - motion.times[0])
     left = _lost(motion.times, free, lasting)
     stopped = next((i for i, slip in enumerate(slips) if slip * slips[0] < _SLOW * slips[0] ** 2), None)
     if left is not None and (stopped is None or left < stopped):
         what = LEAVES if abs(slips[left]) > _BRAKED * abs(slips[0]) else IMPULSE
-        return Happened(what, motion.times[left], slips[left])
+        return Happened(what, motion.times[left], slips[left], motion.times[left - 1])
     if stopped is not None:
-        return Happened(STOPS, motion.times[stopped], slips[stopped])
-    return Happened(NOTHING, None, None)
+        return Happened(STOPS, motion.times[stopped], slips[stopped], motion.times[max(stopped - 1, 0)])
+    ended = len(free) - 1
+    while ended > 0 and free[ended]:  # perhaps a flight that the end of the table cuts
+        ended -= 1
+    return Happened(NOTHING, None, None, motion.times[ended])
 
 
 def _lost(times: Sequence[float], free: Sequence[bool], lasting: float) -> int | None:

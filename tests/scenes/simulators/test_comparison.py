@@ -147,7 +147,34 @@ def judge(end: str = "G-spot", side: str | None = None, time: float | None = 2.0
     ],
 )
 def test_what_agrees(end: str, side: str | None, what: str, time: float | None, agrees: str) -> None:
-    assert judge(end, side)._agrees(Happened(what, time, 1.0)) == agrees
+    assert judge(end, side)._agrees(Happened(what, time, 1.0, time or 6.0)) == agrees
+
+
+def test_a_table_that_ends_early_has_not_shown_that_nothing_comes() -> None:
+    """The runs of the package go on for three times the certified time, 6 here."""
+    for end in ("G-spot", "stick", LIFT_OFF):
+        found = judge(end)
+        assert found._agrees(Happened(NOTHING, None, None, 5.95)) == "no event"
+        assert found._agrees(Happened(NOTHING, None, None, 5.93)) == "ends early"
+        assert found._agrees(Happened(NOTHING, None, None, 1.0)) == "ends early"
+    assert judge("stick")._agrees(Happened(STOPS, 2.0, 0.0, 1.99)) == "agrees"
+
+
+def test_what_happens_between_two_distant_rows_is_not_compared() -> None:
+    """But for what is too early: it came before the row in which it is seen."""
+    for end, side in (("G-spot", LIFT_OFF), (LIFT_OFF, None)):
+        found = judge(end, side)
+        assert found._agrees(Happened(LEAVES, 2.0, 5.0, 1.95)) == "agrees"
+        assert found._agrees(Happened(LEAVES, 2.0, 5.0, 1.9)) == "not comparable"
+        assert found._agrees(Happened(STOPS, 4.0, 0.0, 1.0)) == "not comparable"
+        assert found._agrees(Happened(STOPS, 1.8, 0.0, 0.0)) == "too early"
+
+
+def test_a_table_of_the_user_that_ends_before_the_event(tmp_path: Path) -> None:
+    for rows, said in ((6, "ends early"), (100, "no event")):
+        table = written(tmp_path / f"{rows}.csv", [(k / 1000, *leaving_early()[0][1:]) for k in range(rows)])
+        found = simulators(ROD, START, files=[table], epsilons=[], steps=[])
+        assert [(run.happened, run.agrees) for run in found.runs] == [(NOTHING, said)]
 
 
 def test_the_start_is_counted_as_the_user_does() -> None:

@@ -47,7 +47,7 @@ def test_a_motion_without_contact_is_the_free_one() -> None:
 def test_a_braked_motion_stops_to_slip() -> None:
     model = the_rod()
     found = follow(model, Braking(model, 1e-3, -20.0), step=1e-3, until=0.2)
-    assert what_happens(found, model.functions).what == STOPS
+    assert what_happens(found, model.functions, lasting=0.01).what == STOPS
 
 
 @pytest.mark.parametrize("made", [the_rod, walker], ids=["rod", "walker"])

@@ -35,28 +35,30 @@ TIMES = [k / 100 for k in range(101)]
 @pytest.mark.parametrize(
     ("slips", "heights", "forces", "expected"),
     [
-        ([2.0] * 101, [-1e-6] * 101, None, Happened(NOTHING, None, None)),
-        ([2.0] * 101, [-1e-6] * 40 + [1e-6] * 61, None, Happened(LEAVES, 0.40, 2.0)),
-        ([2.0] * 101, [-1e-6] * 40 + [1e-6] + [-1e-6] * 60, None, Happened(NOTHING, None, None)),
-        ([2.0] * 40 + [0.5] * 61, [-1e-6] * 41 + [1e-6] * 60, None, Happened(IMPULSE, 0.41, 0.5)),
-        ([2.0] * 40 + [-2.0] * 61, [-1e-6] * 101, None, Happened(STOPS, 0.40, -2.0)),  # it turned between two rows
-        ([2.0] * 40 + [0.01] * 61, [-1e-6] * 60 + [1e-6] * 41, None, Happened(STOPS, 0.40, 0.01)),
-        ([2.0] * 101, [1e-6] * 101, [1.0] * 101, Happened(NOTHING, None, None)),
-        ([2.0] * 101, [-1e-6] * 101, [1.0] * 70 + [0.0] * 31, Happened(LEAVES, 0.70, 2.0)),
+        ([2.0] * 101, [-1e-6] * 101, None, Happened(NOTHING, None, None, 1.0)),
+        ([2.0] * 101, [-1e-6] * 40 + [1e-6] * 61, None, Happened(LEAVES, 0.40, 2.0, 0.39)),
+        ([2.0] * 101, [-1e-6] * 40 + [1e-6] + [-1e-6] * 60, None, Happened(NOTHING, None, None, 1.0)),
+        ([2.0] * 40 + [0.5] * 61, [-1e-6] * 41 + [1e-6] * 60, None, Happened(IMPULSE, 0.41, 0.5, 0.40)),
+        ([2.0] * 40 + [-2.0] * 61, [-1e-6] * 101, None, Happened(STOPS, 0.40, -2.0, 0.39)),  # turned
+        ([2.0] * 40 + [0.01] * 61, [-1e-6] * 60 + [1e-6] * 41, None, Happened(STOPS, 0.40, 0.01, 0.39)),
+        ([2.0] * 101, [1e-6] * 101, [1.0] * 101, Happened(NOTHING, None, None, 1.0)),
+        ([2.0] * 101, [-1e-6] * 100 + [1e-6], None, Happened(NOTHING, None, None, 0.99)),  # its end may cut a flight
+        ([2.0] * 101, [-1e-6] * 101, [1.0] * 70 + [0.0] * 31, Happened(LEAVES, 0.70, 2.0, 0.69)),
     ],
 )
 def test_what_comes_first(
     slips: list[float], heights: list[float], forces: list[float] | None, expected: Happened
 ) -> None:
-    found = what_happens(Simulated(TIMES, states(slips, heights), forces), FUNCTIONS)
+    found = what_happens(Simulated(TIMES, states(slips, heights), forces), FUNCTIONS, lasting=0.01)
     assert (found.what, found.time) == (expected.what, expected.time)
+    assert found.since == expected.since
     assert found.slip == pytest.approx(expected.slip)
 
 
 def test_slip_is_that_against_the_surface() -> None:
     motion = Simulated(TIMES, states([2.0] * 50 + [1.0] * 51, [-1e-6] * 101))
-    assert what_happens(motion, FUNCTIONS).what == NOTHING
-    assert what_happens(motion, FUNCTIONS, surface_velocity=1.0).what == STOPS
+    assert what_happens(motion, FUNCTIONS, lasting=0.01).what == NOTHING
+    assert what_happens(motion, FUNCTIONS, 1.0, lasting=0.01).what == STOPS
 
 
 def written(path: Path, rows: list[tuple[float, ...]], head: str = "t,X,Y,theta,X_dot,Y_dot,theta_dot") -> Path:
@@ -99,12 +101,21 @@ def test_a_table_reads_back(tmp_path: Path) -> None:
     assert read_motion(written(tmp_path / "force.csv", with_force, f"{head},force"), FUNCTIONS).forces == [0, 1, 2]  # type: ignore[arg-type]
 
 
-def test_what_lasts_a_hundredth_of_the_time() -> None:
-    """Without contact for 1/100, 1 of 100 steps: lost, from where it began; the start itself does not count."""
+def test_what_lasts_so_long() -> None:
+    """Without contact for two steps: lost, from where it began; the start itself does not count."""
     times = [k / 128 for k in range(129)]
     for count, lost in ((2, None), (3, 50 / 128)):
         forces = [1.0] * 50 + [0.0] * count + [1.0] * (79 - count)
-        found = what_happens(Simulated(times, states([2.0] * 129, [-1e-6] * 129), forces), FUNCTIONS)
-        assert found.time == lost
-    first = what_happens(Simulated(times, states([2.0] * 129, [-1e-6] * 129), [0.0] * 2 + [1.0] * 127), FUNCTIONS)
-    assert first.what == NOTHING
+        motion = Simulated(times, states([2.0] * 129, [-1e-6] * 129), forces)
+        assert what_happens(motion, FUNCTIONS, lasting=2 / 128).time == lost
+    motion = Simulated(times, states([2.0] * 129, [-1e-6] * 129), [0.0] * 2 + [1.0] * 127)
+    assert what_happens(motion, FUNCTIONS, lasting=1 / 128).what == NOTHING
+
+
+def test_how_long_a_table_is_does_not_matter() -> None:
+    """A flight of .1 is one in a table of 1 and of 100."""
+    for end in (1.0, 100.0):
+        times = [k / 100 for k in range(101)] + [end + 1]
+        forces = [1.0] * 50 + [0.0] * 12 + [1.0] * 40
+        motion = Simulated(times, states([2.0] * 102, [-1e-6] * 102), forces)
+        assert what_happens(motion, FUNCTIONS, lasting=0.1) == Happened(LEAVES, 0.5, pytest.approx(2.0), 0.49)
