@@ -201,8 +201,8 @@ def _attracting() -> Entry:
             all_of([solutions_are_right(), others_are_cases(), one_line_alone(), fourth_lifts_off()]),
         ),
         Rung.EXACT.check(
-            "states off the line leave unless α_1, α_3 < 0; the line that they approach has b > 0 in the fourth; else "
-            "it is one of slip that goes to the G-spot for α_1 < 0 < α_3, α_2 > 0",
+            "the solutions, the list of the other signs and the line as above; the fourth one by another way: the line "
+            "that states approach has b > 0",
             all_of([solutions_are_right(), others_are_cases(), one_line_alone(), fourth_goes_above()]),
         ),
         note="That the three Cases do: 1-case-I, 1-case-II, 1-case-III.",

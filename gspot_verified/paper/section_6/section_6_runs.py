@@ -94,7 +94,8 @@ def _start(name: str) -> Entry:
     found = slip(name)
     size = "" if found.coefficient is None else f"C_1 = {ball_text(found.coefficient, 8)}"
     what = "lift-off" if SEQUENCES[name][0] == LIFT_OFF else "impact"
-    then = {"lift-off": "lose contact", "impact": "have a force above any given one, and lose no contact before"}[what]
+    bound = {"lift-off": "some ε_0 > 0", "impact": "an ε_0 > 0 that depends on a given force"}[what]
+    then = {"lift-off": "lose contact", "impact": "have a force above the given one, and lose no contact before"}[what]
     return SECTION.settled(
         name,
         LINES[name],
@@ -102,7 +103,7 @@ def _start(name: str) -> Entry:
         f"From φ = φ* + 1/10, φ-dot = {STARTS[name]}, y = v = 0, β = 7/3, κ = 0: rigid slip, positive on a belt that "
         "is fast enough, reaches the G-spot with a positive contact force, on the side of the distinguished trajectory "
         f"from which, at leading order as ε → 0, there is a{'n' if what == 'impact' else ''} {what}; for every ε up to "
-        "some ε_0 > 0 compliant starts that tend to this one, the contact not far from rest, keep contact and slip "
+        f"{bound} compliant starts that tend to this one, the contact not far from rest, keep contact and slip "
         f"until p < 0, and then {then}",
         Rung.BALLS.check("proofs/approach.md: the path in rigid slip and C_1 in balls", takes(name), size),
         Rung.BALLS.check(
