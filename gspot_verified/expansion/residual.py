@@ -21,7 +21,7 @@ from gspot_verified.functions.derivative import powers_as_products
 from gspot_verified.functions.expressions import Expression, in_order
 from gspot_verified.functions.power_series import SeriesOfFunctions, Terms
 from gspot_verified.functions.rings import Ring
-from gspot_verified.numbers.balls import ExactInput, ball_text, exact, working_bits
+from gspot_verified.numbers.balls import ExactInput, ball_text, exact, nonfinite, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
@@ -29,6 +29,7 @@ ONLY_RESIDUAL = (
     "a bound on what is left in the equations; how far the mechanism's own trajectory is from the polynomials "
     "is not proved"
 )
+_ZERO = fmpq(0)  # where the conditions stand
 _BITS = 128  # with which the constants are computed; less make them larger
 _EXTRA = 8  # orders beyond M that are exact where nothing is asked: more make the constants less
 _LEAST_EXTRA = 4  # a hypothesis: N >= M + 4, proofs/residual.md
@@ -107,6 +108,16 @@ def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, ex
     return ResidualBounds(trajectory.system.name, trajectory.order, *box, constants, trajectory.system.state)
 
 
+def conditions_at(trajectory: Trajectory, s: fmpq, delta: fmpq) -> list[arb]:
+    """Bounds of |p(xi) - delta^2 p~|, |b(xi) - delta^2 b~|, |y(xi) - delta^6 y~|, |v(xi) - delta^4 v~|, J(xi), over
+    delta^(order + 2), xi = xi* + delta^2 xi~, for the polynomials of the expansion at ``s`` and 0 < delta <= ``delta``.
+
+    :raises ResidualError: an order below does not vanish.
+    """
+    with working_bits(_BITS):
+        return list(_Residual(trajectory, abs(arb(s)), arb(delta), trajectory.order + _EXTRA).conditions(s).values())
+
+
 class _Residual:
     def __init__(self, trajectory: Trajectory, s: arb, delta: arb, end: int) -> None:
         self._of, self._system, self._ring = trajectory, trajectory.system, trajectory.system.ring
@@ -163,15 +174,15 @@ class _Residual:
         settle("lambda_n", pressed, arb(0))
         return constants
 
-    def conditions(self) -> dict[str, arb]:
-        """The constants of the conditions at s = 0, divided by delta^2."""
+    def conditions(self, s: fmpq = _ZERO) -> dict[str, arb]:
+        """The constants of the conditions at s = 0, or of the functions p, b, y, v, J elsewhere, divided by delta^2."""
         system, of, ring = self._system, self._of, self._ring
-        zero = ring.number(0)
+        zero, at = ring.number(0), ring.number(s)
         functions = _Functions(
             roots=list(system.conditions),
             terms=NumberTerms(ring),
             ring=ring,
-            state=lambda n: [terms[n].at_zero() for terms in of.xi] if n < self._order else None,
+            state=lambda n: [terms[n](at) for terms in of.xi] if n < self._order else None,
             norm=size_of,
             point=system.point,
             delta=self._delta,
@@ -181,7 +192,7 @@ class _Residual:
         names = ["p", "b", "y", "v", *(f"J_{i + 1}" for i in range(len(system.J)))]
         constants = {}
         for name, condition, (terms, shift) in zip(names, system.conditions, starts, strict=True):
-            wanted = _padded([zero] * shift + [term.at_zero() for term in terms], self._end, zero)
+            wanted = _padded([zero] * shift + [term(at) for term in terms], self._end, zero)
             left = [value - other for value, other in zip(functions[condition][2:], wanted, strict=True)]
             rest = functions.graded(condition).rest / self._delta**2
             constants[f"start_{name}"] = self._constant(f"start_{name}", left, rest, size_of)
@@ -194,6 +205,8 @@ class _Residual:
         for n, term in enumerate(terms[: self._order]):
             values = term.coefficients() if isinstance(term, SpacePolynomial) else [term]
             for k, value in enumerate(values):
+                if isinstance(value, arb) and not value.is_finite():
+                    return nonfinite()
                 if self._ring.is_nonzero(value):
                     raise ResidualError(
                         f"{self._system.name}: equation {name}: the coefficient of s^{k} delta^{n} is {value}, not 0"

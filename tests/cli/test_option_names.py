@@ -39,6 +39,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--digits": (int, "accuracy of the answer in decimal digits"),
     "--drop-effect": (str, "an effect of the scene that is left out"),
     "--epsilon/--eps": (str, "the compliance, a value or a range"),
+    "--explicit": (bool, "a number for how small epsilon must be"),
     "--float": (bool, "a float run in place of the certified one"),
     "--formal": (bool, "the Coq proofs too"),
     "--from": (str, "a state, component by component"),

@@ -66,7 +66,7 @@ ROOMS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("formulas", "zeros"),
     ),
     "compliant": (("motion",), ("side", "zeros"), ("contact", "fast", "patches"), ("slow",), ("model",)),
-    "expansion": (("from_state",), ("true_solutions",), ("",), ("series",)),
+    "expansion": (("from_state",), ("chart", "true_solutions"), ("",), ("series",)),
     "integrator": (("norm_steps",), ("box_steps",), ("field",)),
     "signs": (("zeros",), ("gamma",), ("cover",)),
     "theta_function": (("",), ("arrays",), ("boxes", "value"), ("sums",), ("gamma",)),

@@ -134,6 +134,12 @@ def verdict(
         Path | None,
         typer.Option(help="With --beta --from: write a certificate of it, that `check` reads."),
     ] = None,
+    explicit: Annotated[
+        bool,
+        typer.Option(
+            "--explicit", help="Of a mechanism: an explicit ε0 for starts near the G-spot, on the way there; minutes."
+        ),
+    ] = False,
     surface: Surface = None,
     settings: Settings = None,
     spot: Spot = None,
@@ -142,7 +148,8 @@ def verdict(
     """Lift-off or impact, for every small ε at once. From a state far from the G-spot.
 
     Of a mechanism, from a state: there is an ε0 > 0. It is computed where α1, α2, α3 are functions of p, b, y, v that
-    are analytic at the G-spot, these are components, and the state is near enough to the G-spot. With --beta and
+    are analytic at the G-spot, these are components, and the state is near enough to the G-spot; with --explicit where
+    they are not, for starts around a state near the G-spot that rigid slip passes. With --beta and
     --from: the model system (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of
     Case III with this β; ε0 is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is
     printed then.
@@ -151,6 +158,7 @@ def verdict(
     from gspot_verified.expansion.from_state.limit_side import LimitSide, limit_side
     from gspot_verified.expansion.from_state.model_side import ModelSide, model_side
     from gspot_verified.mechanisms.approach.affine_motion import with_explicit
+    from gspot_verified.mechanisms.approach.chart_motion import with_chart
     from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
 
     if (name is None) == (beta is None):
@@ -162,7 +170,12 @@ def verdict(
         "--alpha2": alpha2,
         "--certificate": certificate,
     }
-    of_mechanism = {"--surface-velocity": surface, "--set": settings or None, "--spot": spot}
+    of_mechanism = {
+        "--surface-velocity": surface,
+        "--set": settings or None,
+        "--spot": spot,
+        "--explicit": explicit or None,
+    }
     for option, value in (of_model if name is not None else of_mechanism).items():
         if value is not None:
             raise ValueError(f"{option}: it goes with " + ("a mechanism" if name is None else "--beta"))
@@ -175,6 +188,8 @@ def verdict(
         mechanism, given = load_with_settings(name, settings), components(state)
         found = mechanism_side(mechanism, given, surface_velocity=surface, spot=spot)
         found = with_explicit(found, mechanism, given)
+        if explicit:
+            found = with_chart(found, mechanism, spot)
     elif state is None:
         for option, value in of_model.items():
             if value is not None:

@@ -7,16 +7,19 @@ as polynomials in delta: exactly, or by Lemma T in balls.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
-from flint import arb, arb_poly, fmpq, fmpq_poly
+from flint import arb, arb_mat, arb_poly, fmpq, fmpq_poly
 
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, carried, power_of
 from gspot_verified.expansion.from_state.analytic import Polynomial
 from gspot_verified.expansion.from_state.hand_over import Beside, HandOver, framed
+from gspot_verified.expansion.from_state.passage import rounded_up
 from gspot_verified.expansion.from_state.slow_manifold import H, R, SlowManifold, excess_terms, still_terms
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
-from gspot_verified.numbers.balls import Exact, add_remainder, ball
+from gspot_verified.expansion.true_solutions.frames import identity
+from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull
 from gspot_verified.numbers.evidence import less
 
 _DELTA = fmpq_poly([0, 1])
@@ -40,6 +43,9 @@ def affine_hand_over(
     beside = _beside(equations, manifold, place)
     if beside is None:
         return "the reference differs from Theorem 1 at an order below mu, or is no polynomial in p and epsilon"
+    slopes = _slopes(equations, manifold, tube, scaled, place)
+    if slopes is None:
+        return "p, b, y, v are not certainly coordinates of the state at the hand-over"
     root = scaled.sqrt()
     h, r = ball(a) / (root * scaled), root * equations.small
     z = tube.bound(h, r.upper())
@@ -47,7 +53,29 @@ def affine_hand_over(
     excess = -coefficient * power_of(r, manifold.mu)
     parts = (H * R * manifold.u, H * manifold.u, manifold.w, manifold.f)
     slow = tuple(_over_excess(one, h, r, excess) for one in parts)
-    return framed(equations, manifold.beta, slow, tube.shares, z, coefficient, scaled=scaled, beside=beside)
+    return framed(
+        equations, manifold.beta, slow, tube.shares, z, coefficient, scaled=scaled, beside=beside, slopes=slopes
+    )
+
+
+def _slopes(
+    equations: DeviationEquations, manifold: SlowManifold, tube: AffineTube, scaled: arb, place: fmpq
+) -> arb_mat | None:
+    """The derivatives of the state by p, b, y, v between that of the expansion and all states of the tube."""
+    chart = manifold.system.chart
+    if chart is None:
+        return identity(4)
+    last = rounded_up((equations.delta**2 * scaled).upper())
+    left = equations.residuals.conditions(fmpq(-place))
+    sides = []
+    for side, name, power, more in zip(
+        replace(tube.cone, last=last).place, ("p", "b", "y", "v"), (2, 2, 6, 4), left, strict=True
+    ):
+        far = equations.norm(name, ball(place)) * equations.delta**power
+        rest = more * equations.delta ** (equations.trajectory.order + 2)
+        sides.append(hull([side, add_remainder(arb(0), (far + rest).upper())]))
+    region = chart.region(sides)
+    return None if region is None else region.inverse
 
 
 def _over_excess(polynomial: Polynomial, h: arb, r: arb, excess: arb) -> arb:
@@ -60,7 +88,7 @@ def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) 
     """Reference minus polynomials at s = -``place``; None unless they are polynomials in delta with orders >= mu."""
     exact, mu = manifold.system.is_exact, manifold.mu
     cut, order = manifold.cut, equations.trajectory.order
-    if not (exact or (3 * cut.order >= mu + 1 and order >= mu + 1 and cut.weight + cut.mu >= mu)):
+    if not (order >= mu and (exact or (3 * cut.order >= mu + 1 and order >= mu + 1 and cut.weight + cut.mu >= mu))):
         return None  # beside Lemma T
     known = {
         name: _polynomial([term(fmpq(-place) if exact else ball(-place)) for term in terms])
@@ -80,13 +108,12 @@ def _beside(equations: DeviationEquations, manifold: SlowManifold, place: fmpq) 
     for reference, polynomial, unit in compared:
         of_delta = _in_delta(reference, p, manifold.system.a)
         sizes.append(None if of_delta is None else _over(equations, of_delta - polynomial, mu + unit))
-    own = (known["p"], known["b"], square * square * known["y"], square * known["v"])
-    for i, value in enumerate(own):
-        sizes.append(_over(equations, value - known[f"xi_{i + 1}"], mu))
     found = [one for one in sizes if one is not None]
     if len(found) < len(sizes):
         return None
-    b, y, v, phi, first, second, third, fourth = found
+    shrunk = equations.delta ** ball(order - mu)
+    first, second, third, fourth = (value * shrunk for value in equations.residuals.conditions(fmpq(-place)))
+    b, y, v, phi = found
     return Beside(b, y, v, phi, (first, second, third, fourth))
 
 

@@ -5,7 +5,7 @@ Proof page: ``proofs/from_state.md``, the theorem of section 8.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import product
@@ -13,10 +13,20 @@ from typing import ClassVar
 
 from flint import fmpq
 
+from gspot_verified.expansion.chart.chart import Chart, Region
+from gspot_verified.expansion.chart.cone import Cone, joined_cones, rational_of, ray_of
 from gspot_verified.expansion.from_state.affine_hand_over import affine_hand_over
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, Sums, affine_tube
-from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan, affine_plans, near, reach_for
+from gspot_verified.expansion.from_state.choice import (
+    LARGEST,
+    LARGEST_DELTA,
+    Plan,
+    affine_plans,
+    largest_delta,
+    near,
+    reach_for,
+)
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle, fast_growth
 from gspot_verified.expansion.from_state.hand_over import HandOver
 from gspot_verified.expansion.from_state.passage import checked_ratio, rounded_up
@@ -29,7 +39,7 @@ from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.side import end_of_track
 from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end, joined
 from gspot_verified.expansion.true_solutions.track import track
-from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, working_bits
+from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, exact, working_bits
 from gspot_verified.numbers.evidence import differ, every
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
@@ -42,7 +52,16 @@ _FINE_BITS = 256  # of a slow manifold in balls, lost in its rounds
 _DIGITS = 30  # of an expansion in balls
 _LEAST_ORDER = 1  # of a slow manifold: L_0 is the same with each
 _FINENESS = 2**64  # e is rounded to multiples of 1/_FINENESS
+_PIECES = 16  # of p on the way from the G-spot to the start: any number is right
 _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
+
+
+@dataclass(frozen=True)
+class ChartedWay:
+    """With a chart: ``cone`` holds p, b, y, v from all starts up to the hand-over, ``starts`` their states."""
+
+    cone: Cone
+    starts: Region
 
 
 @dataclass(frozen=True)
@@ -51,7 +70,7 @@ class AffineSide(NoTruthValue, Written):
 
     ``side``: "lift-off" (lambda_N > 0 until p < 0, later it reaches 0), "impact" (lambda_N > 0 until p < 0, and after
     that until it exceeds a stated force), or None: undecided, and ``verdict.detail`` says which inequality is not
-    certain. Slip is assumed to stay positive.
+    certain. Slip is assumed to stay positive. ``way`` says where the states are, if the system has a chart.
     """
 
     written: ClassVar[str] = "p=start.p b=start.b within=start.within epsilon side verdict"
@@ -60,6 +79,7 @@ class AffineSide(NoTruthValue, Written):
     epsilon: fmpq
     side: str | None
     verdict: Verdict
+    way: ChartedWay | None = None
 
     def __str__(self) -> str:
         return str(self.verdict)
@@ -75,14 +95,14 @@ def affine_side(
 ) -> AffineSide:
     """Whether the system lifts off or takes an impact without collision, for every epsilon up to one at once.
 
-    The arguments are those of :func:`model_side`; the state (p, b) must lie near the G-spot. Ranges of epsilon are
-    followed as far as they are proved.
+    The arguments are those of :func:`model_side`, where p and b may be balls: all of both are meant. The state must lie
+    near the G-spot. Ranges of epsilon are followed as far as they are proved.
 
-    :raises ValueError: beta is an integer or above 30; p is not positive, ``within`` negative, ``force`` at most 1; L =
-        0; an argument is not rational; the contact has no damper.
+    :raises ValueError: beta is an integer or above 30; p is not positive, ``within`` negative, ``force`` at most 1; L
+        is, or may be, 0; ``within`` or ``force`` is not rational; the contact has no damper.
     """
     checked_ratio(near(system.beta))
-    start = AffineStart(_manifold(system, _LEAST_ORDER), rational(p, "p"), rational(b, "b"), rational(within, "within"))
+    start = AffineStart(_manifold(system, _LEAST_ORDER), exact(p, "p"), exact(b, "b"), rational(within, "within"))
     factor = rational(force, "force")
     if not (start.p > 0 and start.within >= 0 and factor > 1):
         raise ValueError("p must be positive, within not negative, force above 1")
@@ -102,18 +122,25 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     system = start.manifold.system
     order = max(_ORDER, 2 * int(near(system.beta).floor()) + 8)
     trajectory = expand_system(system.system(), order, _DIGITS)
-    residuals, prepared = dict[fmpq, Residuals](), list(_prepared(start))
+    residuals, prepared, cones = dict[fmpq, Residuals](), list(_prepared(start)), list[Cone]()
 
     def follow(least: fmpq, most: fmpq) -> SideEnd | str:
         level = _level(system, most)
         shared = residuals.setdefault(level, Residuals(trajectory, level))
-        return _followed(start, prepared, DeviationEquations(trajectory, most, least, shared), factor)
+        return _followed(start, prepared, DeviationEquations(trajectory, most, least, shared), factor, cones)
 
-    ends, failed = in_ranges(follow, LARGEST_DELTA)
-    delta = ends[-1].most if ends else smallest(LARGEST_DELTA)
-    shown, epsilon = joined(ends, delta), delta**3
+    top = LARGEST_DELTA if system.chart is None else largest_delta(start.p, system.a)
+    ends, failed = in_ranges(follow, top)
+    delta = ends[-1].most if ends else smallest(top)
+    shown, epsilon, way, place = joined(ends, delta), delta**3, None, ""
+    if system.chart is not None and shown is not None:
+        way = _way(start, system.chart, cones)
+        failed = failed if way is not None else "p, b, y, v are not certainly coordinates at the start"
+        shown = None if way is None else every([shown, way.starts.evidence])
+        place = "" if way is None else f" and the state in {_box_text(system.chart, way.starts)}"
     whole = (
-        f"{_system_text(system)}, {states_text(start)}, for every 0 < epsilon <= {epsilon}, as long as slip is positive"
+        f"{_system_text(system)}, {states_text(start)}{place}, for every 0 < epsilon <= {epsilon}, as long as slip is "
+        "positive"
     )
     if shown is None:
         detail = failed or "different epsilon have different sides"
@@ -125,7 +152,23 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     else:
         after = f"after that it stays so until it exceeds {_text(factor * system.mean_force)}; p < 0 there"
         side, statement = "impact", f"{before}; {after}"
-    return AffineSide(start, epsilon, side, Verdict.proved(statement, shown))
+    return AffineSide(start, epsilon, side, Verdict.proved(statement, shown), way)
+
+
+def _way(start: AffineStart, chart: Chart, cones: Sequence[Cone]) -> ChartedWay | None:
+    """Where the states are; None: it is not certain that the starts are states of the chart."""
+    p, force = ball(start.p), ball(-start.b / start.p)
+    ray = ray_of(joined_cones(cones), p, force)
+    chain = chart.chain(ray.pieces(_PIECES))
+    if chain is None:
+        return None
+    starts = chart.region(replace(ray, first=rational_of(p.lower())).place, chain[-1])
+    return None if starts is None else ChartedWay(joined_cones(cones), starts)
+
+
+def _box_text(chart: Chart, region: Region) -> str:
+    parts = zip(chart.system.names, region.states, strict=True)
+    return ", ".join(f"{name} in {ball_text(value)}" for name, value in parts)
 
 
 def _level(system: AffineSystem, most: fmpq) -> fmpq:
@@ -164,9 +207,10 @@ def _prepared(start: AffineStart) -> Iterator[_Prepared]:
 
 
 def _followed(
-    start: AffineStart, prepared: list[_Prepared], equations: DeviationEquations, factor: fmpq
+    start: AffineStart, prepared: list[_Prepared], equations: DeviationEquations, factor: fmpq, cones: list[Cone]
 ) -> SideEnd | str:
-    """From p_1 to the end, for all delta of the equations, or what the last plan failed by."""
+    """From p_1 to the end, for all delta of the equations, or what the last plan failed by; ``cones`` gets the one that
+    holds p, b, y, v."""
     failed = list[str]()
     for one in prepared:
         passed = _tube(start, one, largest_e(start.manifold.system.a, equations.exact_delta))
@@ -183,6 +227,7 @@ def _followed(
             continue
         whole = every([passed.evidence, ended.evidence])
         if whole is not None:
+            cones.append(passed.cone)
             return replace(ended, evidence=whole)
     return failed[-1] if failed else "no norm was tried"
 
@@ -228,6 +273,8 @@ def _text(value: Exact) -> str:
 
 
 def _system_text(system: AffineSystem) -> str:
+    if system.chart is not None:
+        return f"{system.chart.system.name} with {contact_text(system.regularisation)}"
     first, second, third = (one.text for one in (system.alpha_1, system.alpha_2, system.alpha_3))
     moving = ", v = y'" if system.moves else ""
     return (
@@ -239,7 +286,8 @@ def _system_text(system: AffineSystem) -> str:
 def states_text(start: AffineStart) -> str:
     """The set of states in words."""
     return (
-        f"every start in contact at p = {start.p}, b = {start.b} with |lambda_N + b/p| <= {start.within} |L|, "
+        f"every start in contact at p = {_text(start.p)}, b = {_text(start.b)} with "
+        f"|lambda_N + b/p| <= {start.within} |L|, "
         f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {start.within} sqrt(p) |L|, "
         f"L = {_text(start.excess)}, {Contact.of(start.manifold.system.regularisation).fast_text}"
     )

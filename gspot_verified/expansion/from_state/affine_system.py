@@ -9,7 +9,9 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.analytic import Analytic, Place, Polynomial, Reach
+from gspot_verified.expansion.chart.chart import Chart
+from gspot_verified.expansion.chart.cone import Cone
+from gspot_verified.expansion.from_state.analytic import Analytic, Place, Polynomial
 from gspot_verified.expansion.from_state.barrier import Monomials
 from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.expansion.series.system import System
@@ -49,12 +51,12 @@ class Affine:
         """Neither y nor v occurs."""
         return False
 
-    def rest(self, reach: Reach) -> Monomials:
+    def rest(self, reach: Cone) -> Monomials:
         """Nothing: it is a polynomial."""
         del reach
         return {}
 
-    def moved(self, reach: Reach) -> tuple[Monomials, Monomials]:
+    def moved(self, reach: Cone) -> tuple[Monomials, Monomials]:
         """Nothing: neither y nor v occurs."""
         del reach
         return {}, {}
@@ -73,6 +75,8 @@ Alpha = Affine | Analytic
 class AffineSystem:
     """p' = alpha_1, b' = alpha_2 - alpha_3 lambda_N with alpha_i of p, b, y, v; the letters are those of the page.
 
+    With a chart the alphas are functions of its system's state, and have it.
+
     :raises ValueError: alpha_1, alpha_2 are not negative at p = b = 0, beta is at most 1 or an integer.
     """
 
@@ -80,6 +84,7 @@ class AffineSystem:
     alpha_2: Alpha
     alpha_3: Alpha
     regularisation: Regularisation
+    chart: Chart | None = None
 
     def __post_init__(self) -> None:
         if not (self.alpha_1.value < 0 and self.alpha_2.value < 0):
@@ -113,7 +118,9 @@ class AffineSystem:
         return self.alpha_2.value / (self.alpha_3.value - self.alpha_1.value)
 
     def system(self) -> System:
-        """The system of the paper's equations with the state (p, b, y, v)."""
+        """The system of the paper's equations; without a chart the state is (p, b, y, v)."""
+        if self.chart is not None:
+            return self.chart.system
         first, second, third = (one.expression for one in (self.alpha_1, self.alpha_2, self.alpha_3))
         nothing = Constant(fmpq(0))
         p, b, y, v = (Variable(i) for i in range(4))

@@ -11,7 +11,9 @@ from functools import cached_property
 
 from flint import arb, fmpq
 
-from gspot_verified.expansion.from_state.analytic import NoTaylorError, Polynomial, Reach
+from gspot_verified.expansion.chart.cone import Cone, rational_of
+from gspot_verified.expansion.chart.taylor_rest import NoTaylorError
+from gspot_verified.expansion.from_state.analytic import Polynomial
 from gspot_verified.expansion.from_state.barrier import (
     Exponents,
     Monomials,
@@ -46,16 +48,17 @@ from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull
 from gspot_verified.numbers.evidence import differ, every, less
 from gspot_verified.numbers.verdict import Evidence
 
+_COARSE = 4  # bounds of y, v, b on the way are rounded to multiples of 1/_COARSE
 _FINE = 2**100  # exponents that hold mu are rounded to multiples of 1/_FINE
 
 
 @dataclass(frozen=True)
 class AffineStart:
-    """The states at p with \\|lambda_N + b/p\\|, ... within their shares of \\|L\\|, b given."""
+    """The states at p with \\|lambda_N + b/p\\|, ... within their shares of \\|L\\|, b given; all p and b of balls."""
 
     manifold: SlowManifold
-    p: fmpq
-    b: fmpq
+    p: Exact
+    b: Exact
     within: fmpq
 
     @property
@@ -121,7 +124,7 @@ class ExcessBounds:
 class AffineTube:
     """z <= Z + I, 0 < h <= ``rectangle.h``, p <= p_1, for every e up to ``start.e``; names as in ``barrier.Tube``.
 
-    ``drift`` is what log C moves by at most besides the integral of D.
+    ``drift`` is what log C moves by at most besides the integral of D; ``cone`` holds p, b, y, v.
     """
 
     start: Start
@@ -132,6 +135,7 @@ class AffineTube:
     shares: tuple[arb, arb, arb]
     drift: arb
     excess: ExcessBounds
+    cone: Cone
     evidence: Evidence
 
     def bound(self, h: arb, r: arb) -> arb:
@@ -222,7 +226,16 @@ def affine_tube(
         return "not certain: " + "; ".join(failed)
     whole = (drift + sums.path.integral(excess.of(_steady(manifold)))).upper()
     return AffineTube(
-        start, rectangle, barrier, rate, damping=damping, shares=shares, drift=whole, excess=excess, evidence=evidence
+        start,
+        rectangle,
+        barrier,
+        rate,
+        damping=damping,
+        shares=shares,
+        drift=whole,
+        excess=excess,
+        cone=sums.cone,
+        evidence=evidence,
     )
 
 
@@ -300,7 +313,7 @@ def _sum(*parts: Mapping[Exponents, arb]) -> Monomials:
 class _Path:
     """The curves h = e p^(-3/2) from p_1 to h = h_1, for all e up to one: largest values, integrals dp/p."""
 
-    def __init__(self, rectangle: Rectangle, p: fmpq, e: fmpq) -> None:
+    def __init__(self, rectangle: Rectangle, p: Exact, e: fmpq) -> None:
         self._h, self._r = ball(rectangle.h), ball(p).sqrt()
         self._first = ball(e) / self._r**3
         self._last = (ball(e) / self._h).root(3)  # r where h = h_1
@@ -346,13 +359,13 @@ class Sums:
         shares: tuple[arb, arb, arb],
         excess: ExcessBounds,
         path: _Path,
-        p: fmpq,
+        p: Exact,
     ) -> None:
         self.path, self._norm, self._manifold, self._shares, self._excess = path, norm, manifold, shares, excess
         system = manifold.system
         self.force = path.largest(excess.of(manifold.force + L))
         alphas = system.alpha_1, system.alpha_2, system.alpha_3
-        reach = Reach(p, self.force, self._height, self._speed)
+        self.cone = reach = self._reach(p)
         per: Monomials = {(0, 0): ball(1 / system.a).upper()}
         left = [times(_sum(one.rest(reach), self._moved(one.moved(reach))), per) for one in alphas]
         self._left = _Left(manifold, excess, left, self.force)
@@ -360,6 +373,19 @@ class Sums:
         self.back = path.largest(_sum(excess.of(manifold.back), self._left.back))
         self.drift = excess.of(manifold.drift)
         self._below = 1 - self.fall
+
+    def _reach(self, p: Exact) -> Cone:
+        """Where p, b, y, v are on the way; with a chart in round numbers: what is made for one cone serves the next."""
+        system, last = self._manifold.system, p if isinstance(p, fmpq) else rounded_up(p.upper())
+        sizes = self.force, self._height, self._speed
+        if not all(size.is_finite() for size in sizes):
+            raise NoTaylorError("y, v or b/p is not certainly bounded")
+        if system.chart is None:
+            force, height, speed = (rational_of(size) for size in sizes)
+            return Cone(fmpq(0), last, fmpq(0), force, height, speed)
+        beside = self.path.largest(self._excess.of(self._manifold.force - constant(RING, system.mean_force) + L))
+        height, speed = (rounded_up(size, _COARSE) for size in sizes[1:])
+        return Cone(fmpq(0), last, system.mean_force, rounded_up(beside, _COARSE), height, speed)
 
     @cached_property
     def _unsteady(self) -> tuple[Monomials, Monomials]:

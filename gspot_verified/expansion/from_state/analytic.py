@@ -12,6 +12,9 @@ from typing import Any
 
 from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from gspot_verified.expansion.chart.chart import Chart
+from gspot_verified.expansion.chart.cone import Cone
+from gspot_verified.expansion.chart.taylor_rest import NoTaylorError, taylor_rests
 from gspot_verified.expansion.from_state.barrier import Monomials, added
 from gspot_verified.expansion.series.terms import NumberTerms
 from gspot_verified.functions.ball_polynomials import BallPolynomial, constant
@@ -19,7 +22,7 @@ from gspot_verified.functions.convolution import Convolution, Series, TermByTerm
 from gspot_verified.functions.expressions import Expression, Variable, in_order
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.rings import BALLS, RATIONALS, Ring
-from gspot_verified.numbers.balls import Exact, add_remainder, ball, hull, working_bits
+from gspot_verified.numbers.balls import Exact, ball, working_bits
 
 _RING = fmpq_mpoly_ctx.get(("p", "b", "y", "v"), Ordering.lex)
 _WEIGHTS = (1, 1, 3, 2)  # of p, b, y, v: powers of delta^2 near the G-spot
@@ -32,23 +35,9 @@ Place = tuple[Polynomial, Polynomial, Polynomial, Polynomial]
 
 
 @dataclass(frozen=True)
-class Reach:
-    """0 <= r^2 <= ``p``, \\|b\\| <= ``force`` r^2, \\|y\\| <= ``height`` r^6, \\|v\\| <= ``speed`` r^4."""
-
-    p: fmpq
-    force: arb
-    height: arb
-    speed: arb
-
-
-class NoTaylorError(ValueError):
-    """The function has no enclosure on the box; the message says why."""
-
-
-@dataclass(frozen=True)
 class Analytic:
-    """``function`` of the state (p, b, y, v), its terms of weight below ``order`` by themselves; the weight of p and b
-    is 1, that of v 2, that of y 3.
+    """``function`` of the state, as one of (p, b, y, v): its terms of weight below ``order`` by themselves; the weight
+    of p and b is 1, that of v 2, that of y 3. Without a chart the state is (p, b, y, v).
 
     :raises ValueError: it is not analytic at 0; y or v occurs and the order is above 4.
     """
@@ -56,42 +45,47 @@ class Analytic:
     function: Expression
     order: int
     text: str
+    chart: Chart | None = None
 
     def __post_init__(self) -> None:
         if not self.order > 1:
             raise ValueError(f"the order must be at least 2, got {self.order}")
         if self.moves and self.order > _MOST:
             raise ValueError(f"with y or v the order must be at most {_MOST}, got {self.order}")
-        _terms(self.function, self.order)
+        _terms(self.function, self.order, self.chart)
 
     @property
     def value(self) -> Exact:
         """At 0; a ball unless all coefficients are rational."""
-        value: Exact = _terms(self.function, self.order)[0].to_dict().get((0,) * 4, fmpq(0))
+        value: Exact = _terms(self.function, self.order, self.chart)[0].to_dict().get((0,) * 4, fmpq(0))
         return value
 
     @property
     def is_exact(self) -> bool:
         """Whether the Taylor polynomial is."""
         return all(
-            isinstance(value, fmpq) for term in _terms(self.function, self.order) for value in term.to_dict().values()
+            isinstance(value, fmpq)
+            for term in _terms(self.function, self.order, self.chart)
+            for value in term.to_dict().values()
         )
 
     @property
     def moves(self) -> bool:
-        """Whether y or v occurs."""
+        """Whether y or v occurs, or may occur."""
+        if self.chart is not None:
+            return True
         return any(isinstance(node, Variable) and node.index > 1 for node in in_order([self.function]))
 
     @property
     def expression(self) -> Expression:
-        """The function of the state (p, b, y, v)."""
+        """The function of the state."""
         return self.function
 
     def above(self, place: Place) -> Polynomial:
         """The Taylor polynomial without ``value``."""
         ring = place[0].context()
         total: Polynomial = ring.constant(0)
-        for term in _terms(self.function, self.order)[1:]:
+        for term in _terms(self.function, self.order, self.chart)[1:]:
             for exponents, value in term.to_dict().items():
                 product = constant(ring, value)
                 for base, exponent in zip(place, exponents, strict=True):
@@ -99,40 +93,31 @@ class Analytic:
                 total = total + product
         return total
 
-    def rest(self, reach: Reach) -> Monomials:
-        """A bound of \\|function - polynomial\\| there.
+    def rest(self, reach: Cone) -> Monomials:
+        """A bound of \\|function - polynomial\\| on the cone, which begins at p = 0.
 
         :raises NoTaylorError: it is not certainly analytic there.
         """
-        p, force, height, speed = ball(reach.p).upper(), *(either(x) for x in (reach.force, reach.height, reach.speed))
-        rows = [
-            [hull([arb(0), p]), force * p, height * p**3, speed * p**2],
-            [arb(1), force, 3 * height * p**2, 2 * speed * p],
-            [arb(0), arb(0), 3 * height * p, speed],
-            [arb(0), arb(0), height, arb(0)],
-        ]
+        if self.chart is not None:
+            known = _rests(self.chart, reach.last, reach.beside, reach.height, reach.speed, self.order)
+            return {(0, 2 * n): size for n, size in known[self.function].items()}
         series = SeriesOfFunctions([self.function], NumberTerms(BALLS), BALLS)
         try:
-            for n in range(self.order + 1):
-                series.extend(rows[n] if n < len(rows) else [arb(0)] * 4)
+            for row in reach.rows(self.order + 1):
+                series.extend(row)
         except ValueError as error:
             raise NoTaylorError(str(error)) from error
         return {(0, 2 * self.order): abs(series[self.function][self.order]).upper()}
 
-    def moved(self, reach: Reach) -> tuple[Monomials, Monomials]:
+    def moved(self, reach: Cone) -> tuple[Monomials, Monomials]:
         """Bounds of what a change of y, and one of v, changes in the polynomial, over that change."""
         by_y, by_v = Monomials(), Monomials()
-        for term in _terms(self.function, self.order):
+        for term in _terms(self.function, self.order, self.chart):
             for (p, b, y, v), value in term.to_dict().items():
                 if y or v:  # one of them once, by the order
-                    size = abs(ball(value)) * reach.force.upper() ** int(b)
+                    size = abs(ball(value)) * reach.force.abs_upper() ** int(b)
                     added(by_y if y else by_v, {(0, 2 * int(p + b)): size.upper()}, 1)
         return by_y, by_v
-
-
-def either(bound: arb) -> arb:
-    """All numbers up to this modulus."""
-    return add_remainder(arb(0), bound.upper())
 
 
 class _Homogeneous:
@@ -168,20 +153,40 @@ class _Homogeneous:
 
 
 @cache
-def _terms(function: Expression, order: int) -> tuple[Polynomial, ...]:
+def _rests(
+    chart: Chart, last: fmpq, beside: fmpq, height: fmpq, speed: fmpq, order: int
+) -> dict[Expression, dict[int, arb]]:
+    """Of the three alphas at once, on the cone around the mean force."""
+    system = chart.system
+    functions = system.alpha_1, system.alpha_2, system.alpha_3
+    with working_bits(_BITS):
+        first, second, third = system.values_at_point(functions)
+        cone = Cone(fmpq(0), last, second / (third - first), beside, height, speed)
+        return dict(zip(functions, taylor_rests(chart, functions, cone, order), strict=True))
+
+
+@cache
+def _terms(function: Expression, order: int, chart: Chart | None) -> tuple[Polynomial, ...]:
     """The parts of weight 0, 1, ..., ``order`` - 1: exact if they can be."""
-    try:
-        return _terms_in(function, order, RATIONALS)
-    except (TypeError, ValueError):  # one is not rational; or the function is not analytic there, and this raises, too
-        with working_bits(_BITS):
-            return _terms_in(function, order, BALLS)
+    if chart is None or chart.system.ring is RATIONALS:
+        try:
+            return _terms_in(function, order, RATIONALS, chart)
+        except (TypeError, ValueError):  # one is not rational; or the function is not analytic, and this raises, too
+            pass
+    with working_bits(_BITS):
+        return _terms_in(function, order, BALLS, chart)
 
 
-def _terms_in(function: Expression, order: int, ring: Ring) -> tuple[Polynomial, ...]:
+def _terms_in(function: Expression, order: int, ring: Ring, chart: Chart | None) -> tuple[Polynomial, ...]:
     terms = _Homogeneous(ring)
+    rows = [
+        [part if weight == n else terms.zero(n) for part, weight in zip(_RING.gens(), _WEIGHTS, strict=True)]
+        for n in range(order)
+    ]
+    if chart is not None:
+        start = [terms.constant(value) for value in chart.system.point]
+        return tuple(chart.series([function], rows[1:], start, chart.slopes(), terms, ring)[function])
     series = SeriesOfFunctions([function], terms, ring)
-    for n in range(order):
-        series.extend([
-            part if weight == n else terms.zero(n) for part, weight in zip(_RING.gens(), _WEIGHTS, strict=True)
-        ])  # fmt: skip
+    for row in rows:
+        series.extend(row)
     return tuple(series[function])

@@ -28,7 +28,7 @@ _ROOM = fmpq(1, 4)
 class Start:
     """p = ``p`` = p_1, e <= ``e``, z <= ``z``, L of the sign ``side``, \\|L\\| <= ``share`` times the mean force."""
 
-    p: fmpq
+    p: Exact
     e: fmpq
     z: arb
     side: int

@@ -69,6 +69,15 @@ def near(value: Exact) -> fmpq:
     return value if isinstance(value, fmpq) else fmpq(round(approximate(value) * _NEAR), _NEAR)
 
 
+def largest_delta(p: Exact, a: Exact) -> fmpq:
+    """Up to which delta ranges are followed from a small p: far beyond, what is fast at the start is still there."""
+    goal = (approximate(p) ** 2 / approximate(a)) ** (1 / 3)
+    delta = LARGEST_DELTA
+    while approximate(delta) / 4 > goal:
+        delta /= 4
+    return delta
+
+
 def reach_for(beta: fmpq) -> float:
     """tau up to which a cone is looked for: the deviation has its last zeros later for a larger beta."""
     return REACH + max(0.0, approximate(beta) - 2.0)

@@ -48,8 +48,8 @@ def hand_over_set(equations: DeviationEquations, tube: Tube, series: SlowSeries,
 
 @dataclass(frozen=True)
 class Beside:
-    """Reference of the tube minus polynomials of Theorem 1, over delta^mu: of b, y, v, phi, and bounds of what state
-    components differ by besides."""
+    """Reference of the tube minus polynomials of Theorem 1, over delta^mu: of b, y, v, phi, and bounds of what p, b, y,
+    v of the expansion's state differ by from these polynomials, over delta^2 besides."""
 
     b: arb
     y: arb
@@ -70,9 +70,12 @@ def framed(
     coefficient: arb,
     scaled: arb,
     beside: Beside = _NOTHING,
+    slopes: arb_mat | None = None,
 ) -> HandOver:
     """The set (13), or (17), where p = ``scaled`` delta^2, C is in the ball ``coefficient``, and V = L r v, W = L p w,
-    phi = L p f on the slow part, (r v, v, w, f) = ``slow``: r v by itself, as r is a ball."""
+    phi = L p f on the slow part, (r v, v, w, f) = ``slow``: r v by itself, as r is a ball.
+
+    ``slopes`` encloses the derivatives of the state by p, b, y, v; without it they are the state."""
     root = scaled.sqrt()
     r = root * equations.small
     last = r.upper()
@@ -95,20 +98,26 @@ def framed(
         column[i] = (size.mid() * along).mid()
         beyond = along - slow_b * column[i] / column[equations.b]
         radii[i] = (abs(size) * (beyond.abs_upper() + spread) + abs(more) + shift * abs(column[i])).upper()
-    column[_B], square = column[equations.b], equations.delta**2
-    radii[_Y] = ((abs(size) * (abs(slow_y) + spread_y) + abs(beside.y)) * square**2).upper()
-    radii[_V] = ((abs(size) * (abs(slow_v) + spread_v) + abs(beside.v)) * square).upper()
     radii[equations.b] = (abs(size * slow_b / column[equations.b] - 1) + shift).upper()
-    for i, more in zip((_P, _B, _Y, _V), beside.state, strict=True):
-        radii[i] = (radii[i] + abs(more)).upper()
+    square, turned = equations.delta**2, identity(4) if slopes is None else slopes
+    most = (
+        arb(0),
+        arb(0),
+        (abs(size) * (abs(slow_y) + spread_y) + abs(beside.y)) * square**2,
+        ((abs(size) * (abs(slow_v) + spread_v) + abs(beside.v)) * square),
+    )
+    for i in range(equations.dimension):
+        along_b = turned[i, 1] * column[equations.b]
+        column[i] = along_b.mid()
+        total = abs(along_b - column[i]) * (1 + radii[equations.b])
+        for j, (own, more) in enumerate(zip(most, beside.state, strict=True)):
+            total += abs(turned[i, j]) * (own + abs(more))
+        radii[i] = total.upper()
     frame = identity(equations.size)
     for i, value in enumerate(column):
         frame[i, equations.b] = value
     centre = tuple(arb(int(i == equations.b)) for i in range(equations.size))
     return HandOver(frame, centre, tuple(radii), fast.abs_upper(), coefficient, z)
-
-
-_P, _B, _Y, _V = range(4)  # the components of the state (p, b, y, v)
 
 
 def carried(tube: Tube, series: SlowSeries, h: arb, r: arb) -> arb:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_mat, arb_poly, fmpq
 
-from gspot_verified.expansion.residual import residual_bounds
+from gspot_verified.expansion.residual import conditions_at, residual_bounds
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.numbers.balls import add_remainder, ball, hull, nonfinite
@@ -45,6 +45,7 @@ class Residuals:
     def __init__(self, trajectory: Trajectory, delta: fmpq) -> None:
         self.trajectory, self.delta = trajectory, delta
         self._known: dict[fmpq, dict[str, arb]] = {}
+        self._at: dict[fmpq, list[arb]] = {}
 
     def constants(self, reach: fmpq) -> dict[str, arb]:
         """Bounds on |R| delta^-M for |s| <= reach."""
@@ -52,6 +53,12 @@ class Residuals:
         if level not in self._known:
             self._known[level] = residual_bounds(self.trajectory, level, self.delta).constants
         return self._known[level]
+
+    def conditions(self, s: fmpq) -> list[arb]:
+        """Bounds of p, b, y, v, J of the expansion's state minus the expansions of p, b, y, v, over delta^(M + 2)."""
+        if s not in self._at:
+            self._at[s] = conditions_at(self.trajectory, s, self.delta)
+        return self._at[s]
 
 
 class DeviationEquations:
@@ -94,8 +101,8 @@ class DeviationEquations:
             name: [arb_poly([ball(value) for value in term.coefficients()]) for term in terms]
             for name, terms in trajectory.terms().items()
         }
-        self._residuals = Residuals(trajectory, delta) if residuals is None else residuals
-        if not delta <= self._residuals.delta:
+        self.residuals = Residuals(trajectory, delta) if residuals is None else residuals
+        if not delta <= self.residuals.delta:
             raise ValueError("the residuals are bounded for a smaller delta only")
 
     def limit(self, s: arb) -> arb_mat:
@@ -183,6 +190,6 @@ class DeviationEquations:
 
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         """Bounds on |R| delta^-M for |s| <= reach: those of e, and that of the equation of z."""
-        constants = self._residuals.constants(reach)
+        constants = self.residuals.constants(reach)
         names = [*(f"xi_{i + 1}" for i in range(self.dimension)), "p", "b", "y", "v"]
         return [constants[name] for name in names], constants["z"]

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from gspot_verified.functions.expressions import Constant
+from gspot_verified.functions.krawczyk import krawczyk
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.integrator.field.event import Crossing, Moment, Unclear, Watch, first_crossing
 from gspot_verified.integrator.norm_steps.chosen_step import Steps
@@ -27,7 +28,6 @@ from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import case_of, sides_of
-from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
 from gspot_verified.numbers.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict

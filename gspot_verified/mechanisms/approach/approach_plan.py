@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from flint import arb
+
 from gspot_verified.mechanisms.approach.capture import Capture
 from gspot_verified.numbers.balls import approximate
+
+_NEAR = 32  # p is to be so much smaller than where power series end; up to twice as large the first state is taken
 
 
 def exponent_for(neighbourhood: Capture, bits: int) -> float:
@@ -20,3 +26,12 @@ def last_exponent_for(neighbourhood: Capture, exponent: float, bits: int, dimens
         return exponent
     beta = max(approximate(neighbourhood.numbers.alpha_3) / approximate(neighbourhood.numbers.alpha_1), 1.0)
     return min(bits - 45.0, exponent * beta + bits / 5)
+
+
+def state_to_start_from(sizes: Sequence[arb], radius: float) -> int:
+    """Which state of a path is to be the start of a compliant motion, ``sizes`` being p and ``radius`` where the power
+    series in p end."""
+    goal, known = radius / _NEAR, [approximate(value) for value in sizes]
+    if known[0] <= 2 * goal:
+        return 0
+    return next((i for i, size in enumerate(known) if size <= goal), len(known) - 1)

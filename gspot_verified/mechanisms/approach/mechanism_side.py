@@ -38,10 +38,11 @@ class MechanismSide(NoTruthValue, Written):
     ``verdict.detail`` says what is not certain. "For small epsilon": there is an epsilon_0 > 0, in an impact for every
     force; it is not computed, and nothing is said of any one epsilon.
     ``approach`` is what was proved for rigid slip, ``active`` names the components on which the contact depends.
-    ``explicit``, where it was asked for and the alphas are functions of p, b, y, v: an epsilon_0 for a set of starts.
+    ``explicit``, where it was asked for: an epsilon_0 for a set of starts. Where p, b, y, v are no components it is
+    a set around a state of rigid slip near the G-spot, which slip reaches at the time ``reached``.
     """
 
-    written: ClassVar[str] = "side active verdict explicit " + under(
+    written: ClassVar[str] = "side active verdict explicit reached " + under(
         "approach",
         "name start solved end place case alphas beta C1=coefficient surface_velocity least_slip notes warnings bits",
     )
@@ -51,6 +52,7 @@ class MechanismSide(NoTruthValue, Written):
     side: str | None
     verdict: Verdict
     explicit: AffineSide | None = None
+    reached: str | None = None
 
     def __str__(self) -> str:
         found = self.approach
@@ -65,6 +67,11 @@ class MechanismSide(NoTruthValue, Written):
             lines.append("  rests on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed")
         if self.explicit is not None:
             lines.append(f"  for an explicit epsilon_0 (proofs/from_state.md, section 8): {self.explicit}")
+        if self.reached is not None:
+            lines.append(
+                f"  rigid slip from the state is at one of these starts after t = {self.reached}; that the compliant "
+                "motion from the state comes there too is not part of it"
+            )
         return "\n".join([*lines, *(f"  {line}" for line in (*found.notes, *found.warnings))])
 
 

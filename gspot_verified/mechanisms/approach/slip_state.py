@@ -13,6 +13,7 @@ from flint import arb, arb_mat
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Expression
+from gspot_verified.functions.krawczyk import krawczyk
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.mechanisms.formulas.formula import parse_formula
@@ -21,7 +22,6 @@ from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, Place, exact_rational
 from gspot_verified.mechanisms.spots.g_spot import place_in
 from gspot_verified.mechanisms.spots.spot_conditions import take_apart
-from gspot_verified.mechanisms.zeros.krawczyk import krawczyk
 from gspot_verified.numbers.balls import ExactInput, add_remainder, ball_text, current_bits, sign_of
 
 _NEWTON_STEPS = 40  # a limit of effort

@@ -11,11 +11,11 @@ from itertools import pairwise
 
 from flint import arb, arb_mat
 
+from gspot_verified.functions.krawczyk import proved_zero
 from gspot_verified.mechanisms.approach.capture import capture
 from gspot_verified.mechanisms.fates.planar_flow import PlanarFlow
 from gspot_verified.mechanisms.fates.reference import Reference
 from gspot_verified.mechanisms.fates.trajectory_side import TrajectorySide
-from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import add_remainder, hull
 from gspot_verified.numbers.evidence import every, inside, less, signed
 from gspot_verified.numbers.verdict import Evidence

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from flint import arb, arb_mat, arb_poly
 
 from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.krawczyk import proved_zero
 from gspot_verified.integrator.box_steps.error_set import ErrorSet
 from gspot_verified.mechanisms.approach.capture import Capture
 from gspot_verified.mechanisms.approach.distinguished import FlowBounds, force_rest, taylor_in_p
 from gspot_verified.mechanisms.approach.slip_flow import ClosedFlow
-from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import add_remainder, hull
 from gspot_verified.numbers.evidence import at_most, every, in_interior, inside, less, signed, theorem
 from gspot_verified.numbers.verdict import Evidence

@@ -12,7 +12,7 @@ from flint import arb, arb_mat
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
+from gspot_verified.functions.krawczyk import proved_zero
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Evidence
 

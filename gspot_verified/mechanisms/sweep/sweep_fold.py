@@ -18,6 +18,7 @@ from flint import arb, fmpq
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.derivative import ONE, ZERO, lie_derivative, substitute
 from gspot_verified.functions.expressions import Expression, Variable
+from gspot_verified.functions.krawczyk import strictly_inside
 from gspot_verified.mechanisms.derive.to_system import counted_from_zero
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.parametric_system import ParametricSystem
@@ -25,7 +26,6 @@ from gspot_verified.mechanisms.sweep.sweep_bracket import bracket
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
-from gspot_verified.mechanisms.zeros.krawczyk import strictly_inside
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tube
 from gspot_verified.numbers.balls import approximate, ball_text
 from gspot_verified.numbers.dyadic import Dyadic

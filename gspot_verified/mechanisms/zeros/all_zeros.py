@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from flint import arb, arb_mat, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram, common
-from gspot_verified.mechanisms.zeros.krawczyk import krawczyk_operator, proved_zero
+from gspot_verified.functions.krawczyk import krawczyk_operator, proved_zero
 from gspot_verified.numbers.balls import current_bits, hull, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import cover_by_boxes, differ, equal, every, inside, less

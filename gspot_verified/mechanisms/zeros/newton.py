@@ -11,9 +11,9 @@ from flint import arb
 
 from gspot_verified.expansion.series.system import GSpotError, System
 from gspot_verified.functions.box_program import BoxProgram
+from gspot_verified.functions.krawczyk import proved_zero
 from gspot_verified.functions.linear import inverse
 from gspot_verified.functions.rings import BALLS
-from gspot_verified.mechanisms.zeros.krawczyk import proved_zero
 from gspot_verified.numbers.balls import current_bits
 from gspot_verified.numbers.verdict import Evidence
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from flint import arb, arb_mat, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram, common
-from gspot_verified.mechanisms.zeros.krawczyk import strictly_inside
+from gspot_verified.functions.krawczyk import strictly_inside
 from gspot_verified.numbers.balls import nonfinite
 
 Rows = list[list[arb]]

@@ -14,6 +14,7 @@ import pytest
 from flint import arb, fmpq, fmpq_poly
 from mpmath import mpf
 
+from gspot_verified.expansion.chart.cone import Cone
 from gspot_verified.expansion.from_state.affine_hand_over import _beside, _in_delta, _over, affine_hand_over
 from gspot_verified.expansion.from_state.affine_system import AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, ExcessBounds, carried
@@ -33,6 +34,7 @@ P, H_1 = fmpq(1, 25), fmpq(1, 2)
 with mpmath.workdps(50):
     KAPPA, LAG = mpf(6) / 5, mpf(9) / 50  # kappa, l/g
 SHARES = (arb("1.25"), arb("1.5"), arb("0.75"))
+CONE = Cone(fmpq(0), P, fmpq(0), fmpq(4), fmpq(4), fmpq(4))
 STEEP = BENT  # beta = 5/4
 
 
@@ -65,7 +67,7 @@ def tube(system: AffineSystem, z: str, h: fmpq = H_1, e: fmpq | None = None, dri
     begun = Start(P, system.a * DELTA**3 if e is None else e, arb(0), 1, fmpq(1, 2))
     one = Rectangle(h, fmpq(1, 4))
     bounds = ExcessBounds.around(2 * system.beta - 2, arb(30), arb("0.001"))
-    return AffineTube(begun, one, {(2, 1): arb(z)}, arb(1), arb("0.1"), SHARES, arb(drift), bounds, shown)
+    return AffineTube(begun, one, {(2, 1): arb(z)}, arb(1), arb("0.1"), SHARES, arb(drift), bounds, CONE, shown)
 
 
 def handed(system: AffineSystem, excess: fmpq, z: str) -> HandOver:

@@ -146,7 +146,7 @@ def test_without_slopes_it_is_the_model_system() -> None:
 def staged(side: int, until: fmpq) -> Any:
     """A stand-in for ``_followed``: ranges up to ``until`` are proved."""
 
-    def decided(_: Any, __: Any, equations: Any, ___: fmpq) -> Any:
+    def decided(_: Any, __: Any, equations: Any, *___: Any) -> Any:
         least, most = equations.least, equations.exact_delta
         return SideEnd(least, most, side, fmpq(1), cone_of(1), arb(2), arb(3), SHOWN) if most <= until else "too large"
 
@@ -197,7 +197,7 @@ def test_without_a_range_nothing_is_proved(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_ranges_on_different_sides_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    def sides(_: Any, __: Any, equations: Any, ___: Any) -> Any:
+    def sides(_: Any, __: Any, equations: Any, *___: Any) -> Any:
         return staged(1 if equations.least == 0 else -1, fmpq(1, 50))(_, __, equations, ___)
 
     found = asked(monkeypatch, sides)
@@ -303,7 +303,7 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
     start = AffineStart(manifold_of(system), P, fmpq(-1), fmpq(0))
     equations = SimpleNamespace(exact_delta=fmpq(1, 10))
     end = SideEnd(fmpq(0), fmpq(1), 1, fmpq(1), cone_of(1), arb(2), arb(3), SHOWN)
-    tube, handed, seen = SimpleNamespace(evidence=SHOWN), object.__new__(HandOver), list[Any]()
+    tube, handed, seen = SimpleNamespace(evidence=SHOWN, cone="cone"), object.__new__(HandOver), list[Any]()
 
     def tubes(_: Any, one: Any, e: fmpq) -> Any:
         seen.append(e)
@@ -320,8 +320,11 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
     for name, stand_in in (("_tube", tubes), ("affine_hand_over", hand_over), ("_ended", ended)):
         monkeypatch.setattr(module, name, stand_in)
 
+    cones = list[Any]()
+
     def followed(*places: int) -> Any:
-        return module._followed(start, [prepared_one(place) for place in places], equations, fmpq(11))  # type: ignore[arg-type]
+        plans = [prepared_one(place) for place in places]
+        return module._followed(start, plans, equations, fmpq(11), cones)  # type: ignore[arg-type]
 
     found = followed(1, 2, 3, 4, 1)
     assert isinstance(found, SideEnd)
@@ -333,8 +336,10 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
     assert followed(2, 3) == "ended"
     assert followed(3, 2, 1) == "Theorem B': z"
     assert followed() == "no norm was tried"
+    assert cones == ["cone"]
     tube.evidence = None
     assert followed(4, 1) == "Theorem B': z"
+    assert cones == ["cone"]
 
 
 def test_the_end_is_looked_for_from_the_hand_over_on(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ import pytest
 from flint import arb, fmpq
 from mpmath import mpf
 
+from gspot_verified.expansion.chart.cone import Cone
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import (
     AffineStart,
@@ -20,7 +21,6 @@ from gspot_verified.expansion.from_state.affine_tube import (
     carried,
     power_of,
 )
-from gspot_verified.expansion.from_state.analytic import Reach
 from gspot_verified.expansion.from_state.barrier import Monomials, layer, layer_integral, paid
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
 from gspot_verified.expansion.from_state.slow_manifold import RING, Cut, L, SlowManifold
@@ -75,9 +75,9 @@ class Bent(Affine):
     left: fmpq = NONE
     asked: list[Any] = field(default_factory=list, compare=False)
 
-    def rest(self, reach: Reach) -> Monomials:
+    def rest(self, reach: Cone) -> Monomials:
         assert reach.height == reach.speed == 0
-        self.asked.append((reach.p, reach.force))
+        self.asked.append((reach.last, arb(reach.beside)))
         return {(0, 8): arb(self.left)} if self.left else {}
 
 

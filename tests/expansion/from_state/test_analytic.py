@@ -12,7 +12,9 @@ import pytest
 from flint import arb, fmpq
 from mpmath import mpf
 
-from gspot_verified.expansion.from_state.analytic import Analytic, NoTaylorError, Reach
+from gspot_verified.expansion.chart.cone import Cone, rational_of
+from gspot_verified.expansion.chart.taylor_rest import NoTaylorError
+from gspot_verified.expansion.from_state.analytic import Analytic
 from gspot_verified.expansion.from_state.slow_manifold import RING, H, L, R
 from gspot_verified.functions.ball_polynomials import constant
 from gspot_verified.functions.expressions import (
@@ -43,9 +45,9 @@ def whole(alpha: Analytic, p: Any, b: Any, y: Any = 0 * L, v: Any = 0 * L) -> An
     return constant(RING, alpha.value) + alpha.above((p, b, y, v))
 
 
-def reach(p: fmpq, force: arb) -> Reach:
+def reach(p: fmpq, force: arb) -> Cone:
     """With y = v = 0."""
-    return Reach(p, force, arb(0), arb(0))
+    return Cone(fmpq(0), p, fmpq(0), rational_of(force.upper()), fmpq(0), fmpq(0))
 
 
 MOVING: list[tuple[Expression, Callable[..., mpf]]] = [
@@ -65,7 +67,7 @@ def test_with_y_and_v_what_is_left_is_within_the_bound(
     draw, alpha = random.Random(7), Analytic(function, order, "f")
     assert alpha.moves
     with mpmath.workdps(40), working_bits(128):
-        given = Reach(fmpq(1, 20), arb(2), arb(3), arb(4))
+        given = Cone(fmpq(0), fmpq(1, 20), fmpq(0), fmpq(2), fmpq(3), fmpq(4))
         ((key, bound),) = alpha.rest(given).items()
         by_y, by_v = alpha.moved(given)
         assert key == (0, 2 * order)
@@ -163,7 +165,7 @@ def test_the_bound_is_attained() -> None:
 def test_the_bound_is_attained_by_powers_of_y_and_v() -> None:
     """y = Y' p^3, v = V' p^2, Y' = 2, V' = 3, b = 5 p: of (p + t)^n the coefficient of t^4 is that of a binomial."""
     most = fmpq(1, 7)
-    given = Reach(most, arb(5), arb(2), arb(3))
+    given = Cone(fmpq(0), most, fmpq(0), fmpq(5), fmpq(2), fmpq(3))
     for function, factor, power in (
         (Y * Y, 4, 6),
         (V * V, 9, 4),

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 from flint import arb
 
-from gspot_verified.mechanisms.zeros.krawczyk import krawczyk, krawczyk_operator, strictly_inside
+from gspot_verified.functions.krawczyk import krawczyk, krawczyk_operator, strictly_inside
 from gspot_verified.numbers.balls import working_bits
 
 

@@ -1,0 +1,132 @@
+"""An explicit epsilon_0 for mechanisms whose p, b, y, v are functions of the state: by a chart at the G-spot.
+
+Proof page: ``proofs/chart.md``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from flint import arb
+
+from gspot_verified.expansion.chart.chart import Chart
+from gspot_verified.expansion.chart.radius import radius
+from gspot_verified.expansion.chart.taylor_rest import covered
+from gspot_verified.expansion.from_state.affine_side import AffineSide, affine_side
+from gspot_verified.expansion.from_state.affine_system import AffineSystem
+from gspot_verified.expansion.from_state.analytic import Analytic
+from gspot_verified.expansion.series.system import System
+from gspot_verified.functions.derivative import rewritten
+from gspot_verified.functions.expressions import Expression, Variable
+from gspot_verified.mechanisms.approach.approach_plan import state_to_start_from
+from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide
+from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
+from gspot_verified.mechanisms.derive.to_system import Shifted
+from gspot_verified.mechanisms.input.mechanism import Mechanism
+from gspot_verified.mechanisms.spots.chosen_spot import at_spot
+from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
+from gspot_verified.numbers.balls import add_remainder, ball_text, working_bits
+from gspot_verified.numbers.evidence import every, in_interior
+from gspot_verified.numbers.verdict import Reason, Verdict
+
+_ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is right
+_BITS = 256  # of a G-spot that is not rational
+_ROOM = arb((1, -20))  # of p and b, in parts of them, around those of the path: any number is right
+
+
+def with_chart(found: MechanismSide, mechanism: Mechanism, spot: int | None = None) -> MechanismSide:
+    """The same with ``explicit`` for the starts around a state of rigid slip near the G-spot, on the way that
+    :func:`mechanism_side` followed, where the contact depends on four components alone."""
+    if found.side is None or found.explicit is not None or len(found.active) != 4:
+        return found
+    active, path = [mechanism.state.index(word) for word in found.active], found.approach.path
+    try:
+        place = find_g_spot(at_spot(mechanism, spot), _BITS)
+        with working_bits(place.bits):
+            chart = Chart(restricted(place, active))
+            number = state_to_start_from(path.p, radius(chart))
+            p, b = (add_remainder(value, abs(value) * _ROOM) for value in (path.p[number], path.b[number]))
+            system = _charted(chart)
+        explicit = affine_side(system, p, b)
+    except (ValueError, ZeroDivisionError):  # beside the theorem: nothing is said
+        return found
+    with working_bits(place.bits):
+        explicit = _checked(place.shifted, explicit, active, path.states[number])
+    time = ball_text(path.time[number], 6)
+    return replace(found, explicit=explicit, reached=time)
+
+
+def _charted(chart: Chart) -> AffineSystem:
+    """The alphas as functions of p, b, y, v."""
+    system = chart.system
+    first, second, third = (
+        Analytic(function, _ORDER, name, chart)
+        for name, function in (
+            ("alpha_1", system.alpha_1), ("alpha_2", system.alpha_2), ("alpha_3", system.alpha_3),
+        )
+    )  # fmt: skip
+    return AffineSystem(first, second, third, system.regularisation, chart)
+
+
+def restricted(place: GSpot, active: Sequence[int]) -> System:
+    """The system of these components, on which p, b, y, v, the alphas and their own rates depend alone."""
+    whole, mechanism = place.system, place.mechanism
+    scalars = (whole.y, whole.v, whole.p, whole.b, whole.alpha_1, whole.alpha_2, whole.alpha_3)
+    functions = [*(whole.F[i] for i in active), *(whole.G[i] for i in active), *scalars]
+    table: dict[Expression, Expression] = {Variable(i): Variable(k) for k, i in enumerate(active)}
+    named = rewritten(functions, lambda node: table[node] if isinstance(node, Variable) else None)
+    own = [named[function] for function in functions]
+    y, v, p, b, first, second, third = own[2 * len(active) :]
+    references = {angle.coordinate: angle.name for angle in mechanism.angles}
+    words = [mechanism.state[i] for i in active]
+    return System(
+        name=whole.name,
+        F=tuple(own[: len(active)]),
+        G=tuple(own[len(active) : 2 * len(active)]),
+        y=y,
+        v=v,
+        p=p,
+        b=b,
+        alpha_1=first,
+        alpha_2=second,
+        alpha_3=third,
+        J=(),
+        point=tuple(whole.point[i] for i in active),
+        ring=whole.ring,
+        state=tuple(f"{word} - {references[word]}" if word in references else word for word in words),
+        regularisation=whole.regularisation,
+    )
+
+
+def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], state: Sequence[arb]) -> AffineSide:
+    """The same, if the state of the path is one of the starts, and the mechanism's hypotheses hold on the way."""
+    system, way = side.start.manifold.system, side.way
+    if way is None or system.chart is None or side.verdict.evidence is None:
+        return side
+    among = every(in_interior(state[i], box) for i, box in zip(active, way.starts.states, strict=True))
+    if among is None:
+        return _open(side, "the state of rigid slip is not certainly among the starts")
+    hypotheses, shown = SlipHypotheses(shifted), [side.verdict.evidence, among]
+    if not hypotheses.components <= set(active):
+        return _open(side, "the hypotheses on the mechanism depend on further components")
+    boxes = covered(system.chart, way.cone)
+    if boxes is None:
+        return _open(side, "p, b, y, v are not certainly coordinates of the state on the way")
+    for _, region in boxes:
+        whole = [arb(0)] * len(shifted.mechanism.state)
+        for i, value in zip(active, region.states, strict=True):
+            whole[i] = value
+        checked = hypotheses.checked(whole)
+        if isinstance(checked, str):
+            return _open(side, checked)
+        shown.append(checked)
+    evidence = every(shown)
+    if evidence is None:
+        return _open(side, "the hypotheses on the mechanism are not certain")
+    return replace(side, verdict=Verdict.proved(side.verdict.statement, evidence))
+
+
+def _open(side: AffineSide, why: str) -> AffineSide:
+    verdict = Verdict.undecided(side.verdict.statement, Reason.HYPOTHESIS, why)
+    return replace(side, side=None, verdict=verdict)
