@@ -128,6 +128,11 @@ def strange(printed: ModuleType, glob: str) -> list[str]:
 
 def test_where_coq_finds_the_names_of_a_statement(printed: ModuleType) -> None:
     assert strange(printed, GLOB) == []
+    # Coq 8.20 notes what it makes of a definition, and of no other name.
+    made = "ind 700:705 <> pays\nscheme 700:705 <> pays_ind\nscheme 700:705 <> pays_sind\n"
+    assert strange(printed, GLOB + made) == []
+    assert strange(printed, GLOB + made.replace("pays_ind", "claim_ind")) == ["scheme 700:705 <> claim_ind"]
+    assert strange(printed, GLOB + made.replace("pays_ind", "pays")) == ["scheme 700:705 <> pays"]
 
 
 @pytest.mark.parametrize(
