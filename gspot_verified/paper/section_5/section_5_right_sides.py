@@ -141,7 +141,8 @@ def _inner_slow() -> Entry:
             "the deviation of z from y/2 in specialZ; the symbols of specialX to specialV",
             all_of([goes_there(), others_are_slow()]),
         ),
-        note="δ stands in ξ = ξ* + δ² ξ~ too. The printed slow system has F and G with a tilde: 5-letters.",
+        note="The last clause has one check, which stands in both. δ stands in ξ = ξ* + δ² ξ~ too. The printed slow "
+        "system has F and G with a tilde: 5-letters.",
     )
 
 

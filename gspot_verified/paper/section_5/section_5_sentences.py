@@ -262,7 +262,7 @@ def _letters() -> Entry:
         "5-letters",
         LETTERS,
         r"\tilde\xi'=\tilde F(\xi)+\tilde G(\xi)\lambda_N",
-        "The slow system of the inner scale has the functions of specialX",
+        "The slow system of the inner scale is printed with the functions F and G with a tilde, as those of specialX",
         *(held_against(LETTERS, f"{letter} in both", *places) for letter, places in FUNCTIONS_OF_XI.items()),
         corrected="F(ξ) + G(ξ) λ_N: nothing is defined with F and G with a tilde",
     )

@@ -186,9 +186,9 @@ def _order_15() -> Entry:
         "6-order-15",
         "lines 2236 to 2238",
         r"M=15:\ \text{indistinguishable for } p>0",
-        f"ε = {EPSILON}, 0 <= p <= {HIGHEST}: the b of the expansion of order {ORDER} differs by less than "
-        f"{DIFFERENCE} from that of order {HIGHER}, with |b| above {HEIGHT * DIFFERENCE} at the end: in a drawing the "
-        "order does not show",
+        f"ε = {EPSILON}, from p a little above {HIGHEST} (order {HIGHER}) to the G-spot: at equal t the b of the "
+        f"expansion of order {ORDER} differs by less than {DIFFERENCE} from that of order {HIGHER}, with |b| above "
+        f"{HEIGHT * DIFFERENCE} at the end",
         Rung.EXACT.check(
             "the coefficients of the difference, as a polynomial in t and ε, in exact rationals",
             all_of([difference() < DIFFERENCE, covers_the_drawing()]),

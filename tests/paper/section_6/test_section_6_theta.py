@@ -174,6 +174,6 @@ def test_the_texts_name_what_is_followed(monkeypatch: pytest.MonkeyPatch) -> Non
     assert fit.statement.endswith("at t/ε^(2/3) = -15/17, -13/17, ..., 1")
     assert "at ε = 1/1000000 (LSODA), up to t = 0.0011: within 4 % of" in fit.checks[1].what
     assert order.statement.startswith(
-        "ε = 1/1000000, 0 <= p <= 1/100: the b of the expansion of order 15 differs by less than 1/100000 from that of "
-        "order 31, with |b| above 1/100 at the end"
+        "ε = 1/1000000, from p a little above 1/100 (order 31) to the G-spot: at equal t the b of the expansion of "
+        "order 15 differs by less than 1/100000 from that of order 31, with |b| above 1/100 at the end"
     )
