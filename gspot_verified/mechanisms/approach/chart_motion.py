@@ -32,6 +32,7 @@ from gspot_verified.numbers.verdict import Reason, Verdict
 
 _ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is right
 _BITS = 256  # of a G-spot that is not rational
+_AFTER = "; that the mass matrix is positive definite and mu >= 0 is checked up to p = 0, and assumed after it"
 _ROOM = arb((1, -20))  # of p and b, in parts of them, around those of the path: any number is right
 
 
@@ -124,7 +125,7 @@ def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], state: S
     evidence = every(shown)
     if evidence is None:
         return _open(side, "the hypotheses on the mechanism are not certain")
-    return replace(side, verdict=Verdict.proved(side.verdict.statement, evidence))
+    return replace(side, verdict=Verdict.proved(side.verdict.statement + _AFTER, evidence))
 
 
 def _open(side: AffineSide, why: str) -> AffineSide:
