@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from witnesses.expressions import mp, value_of
 
 from gspot_verified.expansion.majorants import Graded, rest_of_product
-from gspot_verified.expansion.residual import ResidualError, _Functions, residual_bounds
+from gspot_verified.expansion.residual import ResidualError, _Functions, _Residual, residual_bounds
 from gspot_verified.expansion.series.spaces import SpacePolynomial
 from gspot_verified.expansion.series.system import System
 from gspot_verified.expansion.trajectory import Trajectory, expand_system
@@ -36,6 +36,7 @@ from gspot_verified.functions.expressions import (
 )
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.functions.symbols import Symbols
+from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.testing import extended_example, sheared, systems
 
@@ -331,3 +332,14 @@ def test_the_rest_of_a_product(left: list[int], data: st.DataObject) -> None:
     found = rest_of_product(Graded(tuple(map(arb, left)), arb(a)), Graded(tuple(map(arb, right)), arb(b)))
     expected = sum(u * w for i, u in enumerate(left) for j, w in enumerate(right) if i + j >= size)
     assert found == expected + a * (sum(right) + b) + sum(left) * b
+
+
+@pytest.mark.parametrize("place", [0, 1])
+def test_a_term_that_is_not_finite_does_not_vanish(place: int) -> None:
+    """A ball that is not finite may hold 0, as one does that holds every number."""
+    terms = [arb(0), arb(0)]
+    terms[place] = arb("nan")
+    with working_bits(64):
+        of = expand_system(replace(extended_example("1/3"), point=(arb(0),) * 6, ring=BALLS), 4)
+        bounds = _Residual(of, arb(1), arb("0.1"), of.order + 8)
+        assert not bounds._constant("x", terms, arb(0), abs).is_finite()

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
 import pytest
 from flint import arb, arb_mat, fmpq
 
-from gspot_verified.expansion.from_state.affine_hand_over import affine_hand_over
+from gspot_verified.expansion.chart.chart import Chart
+from gspot_verified.expansion.from_state.affine_hand_over import _slopes, affine_hand_over
 from gspot_verified.expansion.from_state.affine_side import _manifold, _prepared, _tube, _way, affine_side
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube
@@ -54,6 +56,19 @@ def handed(name: str) -> tuple[AffineStart, AffineTube, DeviationEquations, Hand
         found = affine_hand_over(equations, one.start, tube, one.plan.place)
         assert isinstance(found, HandOver), found
         return start, tube, equations, found
+
+
+def test_the_box_at_the_hand_over_holds_the_state_of_the_expansion_for_every_smaller_delta(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    start, tube, equations, _ = handed("chart")
+    asked: list[Sequence[arb]] = []
+    monkeypatch.setattr(Chart, "region", lambda _, place: asked.append(place))
+    with working_bits(128):
+        scaled = -equations.alpha_1 * ball(PLACE_OF_PLAN)
+        assert _slopes(equations, start.manifold, tube, scaled, PLACE_OF_PLAN) is None
+        for side, name, power in zip(asked[0], ("p", "b", "y", "v"), (2, 2, 6, 4), strict=True):
+            assert side.contains(arb(0, equations.norm(name, ball(PLACE_OF_PLAN)) * equations.delta**power))
 
 
 def test_the_excess_and_the_tube_are_the_same() -> None:

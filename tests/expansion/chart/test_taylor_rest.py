@@ -11,6 +11,7 @@ import pytest
 from flint import arb, fmpq
 from mpmath import mpf
 
+from gspot_verified.expansion.chart import taylor_rest
 from gspot_verified.expansion.chart.chart import Chart
 from gspot_verified.expansion.chart.cone import Cone
 from gspot_verified.expansion.chart.radius import radius
@@ -84,6 +85,16 @@ def test_what_is_left_is_within_the_bound_and_not_far_below(which: int, order: i
             assert left <= bound
             closest = max(closest, left / bound)
     assert closest > mpf(1) / 10
+
+
+def test_every_part_of_the_cone_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bound is one of all parts, so their order does not matter."""
+    slabs, parts = Cone.slabs, taylor_rest.covered
+    with working_bits(128):
+        plain = taylor_rests(CHART, [function for function, _ in FUNCTIONS], CONE, 3)
+        monkeypatch.setattr(Cone, "slabs", lambda cone, count: slabs(cone, count)[::-1])
+        monkeypatch.setattr(taylor_rest, "covered", lambda chart, cone: (parts(chart, cone) or [])[::-1])
+        assert taylor_rests(CHART, [function for function, _ in FUNCTIONS], CONE, 3) == plain
 
 
 def test_the_polynomial_is_that_of_the_closed_form() -> None:
