@@ -17,7 +17,15 @@ from hypothesis import strategies as st
 from gspot_verified.functions.expressions import Constant, Expression, Power, Sine, Variable
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.norm_steps.adapted_basis import adapted_basis
-from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, _majorants, norm_step
+from gspot_verified.integrator.norm_steps.norm_step import (
+    Basis,
+    NormPlan,
+    NormStep,
+    StateSet,
+    _majorants,
+    block_norms,
+    norm_step,
+)
 from gspot_verified.numbers.balls import working_bits
 
 x, y = Variable(0), Variable(1)
@@ -304,3 +312,15 @@ def test_the_majorant_takes_the_upper_ends_of_what_it_is_given() -> None:
                 a, r, d = (value.upper() for value in (rate, start, push))
                 assert bound.is_finite()
                 assert bound >= (r * a.exp() + d * (a.exp() - 1) / a).lower()
+
+
+def test_norms_of_rows_and_of_squares_are_bounds_and_not_far_above() -> None:
+    """(3, 4) in one row has the norm 5, and at most (4 · 7)^(1/2) by the row sums, as the checker of a run has it."""
+    A = arb_mat([[3, -4, 0], [0, 0, 2], [1, 1, 1]])
+    rows, columns = Basis(arb_mat(3, 3, 1), (1, 2)), Basis(arb_mat(3, 3, 1), (2, 1))
+    norms = block_norms(A, rows, columns)
+    assert 5 <= norms[0, 0] <= arb(28).sqrt() + arb("1e-8")
+    assert norms[0, 1] == 0
+    assert arb(2).sqrt() <= norms[1, 0] + arb("1e-12")
+    assert arb(5).sqrt() <= norms[1, 1] + arb("1e-12")
+    assert norms[1, 1] <= arb(5).sqrt() + arb("1e-8")
