@@ -41,12 +41,13 @@ def initial_values(beta: Exact, bits: int) -> InitialValues:
     (True, True, True)
     """
     if isinstance(beta, fmpq):
-        return _cached(int(beta.p), int(beta.q), bits)  # integers: the hash of an fmpq takes longer than a product
+        return rational_initial_values(int(beta.p), int(beta.q), bits)
     return _entire_form(beta, bits)
 
 
 @lru_cache(maxsize=64)
-def _cached(p: int, q: int, bits: int) -> InitialValues:
+def rational_initial_values(p: int, q: int, bits: int) -> InitialValues:
+    """The same at beta = p/q in lowest terms, q > 0; kept. By integers: the hash of an fmpq takes longer."""
     if bits <= _FEW_BITS and _FAR_FROM_POLES * min(p % q, -p % q) >= q:
         with working_bits(bits):
             return _few_bits(p, q)
@@ -69,9 +70,9 @@ def _entire_form(beta: Exact, bits: int) -> InitialValues:
 
 def _few_bits(p: int, q: int) -> InitialValues:
     """The entire form at p/q at the current precision, with fewer steps: no argument of 1/Gamma is next to a zero."""
-    below, log = 3 * q, arb(3).log()
-    first, second, other = (arb(-p) / below).rgamma(), (arb(q - p) / below).rgamma(), (arb(2 * q - p) / below).rgamma()
-    constant = 2 * arb.pi() * (log * (4 * p - below) / (2 * below)).exp()
+    beta, log = arb(p) / q, arb(3).log()
+    first, second, other = (beta / -3).rgamma(), ((1 - beta) / 3).rgamma(), ((2 - beta) / 3).rgamma()
+    constant = 2 * arb.pi() * (log * (4 * beta - 3) / 6).exp()
     return _products(first, second, other, constant, (log / 3).exp())
 
 

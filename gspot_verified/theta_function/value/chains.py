@@ -10,7 +10,7 @@ from __future__ import annotations
 from flint import arb, fmpq, fmpz
 
 from gspot_verified.numbers.balls import add_remainder, nonfinite, working_bits
-from gspot_verified.theta_function.gamma.initial_values import initial_values
+from gspot_verified.theta_function.gamma.initial_values import rational_initial_values
 
 # (k+1)(k+2)(k+3), the denominators of the first quotients.
 _PRODUCTS = tuple((k + 1) * (k + 2) * (k + 3) for k in range(600))
@@ -24,8 +24,12 @@ def chain_sum(tau: fmpq, beta: fmpq, length: int, bits: int) -> arb:
     Not finite where the ratio q of the page, (1 + |beta|/K) X^3/((K+1)(K+2)), is above 1/2 (compared in integers); else
     the rest is at most twice the sum of the three first omitted terms.
     """
-    value, slope, curvature = initial_values(beta, bits)
-    p, q, above, below = int(beta.p), int(beta.q), int(tau.p), int(tau.q)
+    return chain_sum_at(int(tau.p), int(tau.q), int(beta.p), int(beta.q), length, bits)
+
+
+def chain_sum_at(above: int, below: int, p: int, q: int, length: int, bits: int) -> arb:
+    """The same at tau = above/below and beta = p/q in lowest terms, below > 0, q > 0: a long fmpq is slow to read."""
+    value, slope, curvature = rational_initial_values(p, q, bits)
     length = -(-length // 3) * 3
     rise, fall = above**3, q * below**3
     if 2 * (length * q + abs(p)) * abs(rise) > length * (length + 1) * (length + 2) * fall:

@@ -12,7 +12,7 @@ from functools import lru_cache
 from flint import arb, fmpq
 
 from gspot_verified.theta_function.sums.taylor import taylor_sum
-from gspot_verified.theta_function.value.chains import chain_sum
+from gspot_verified.theta_function.value.chains import chain_sum_at
 
 _FARTHEST_RIGHT = 20  # tau, up to which the series at 0 is the quickest
 _FARTHEST_LEFT = 12  # -tau, likewise
@@ -40,19 +40,26 @@ def near_value(tau: fmpq, beta: fmpq, goal: int) -> tuple[arb, int] | None:
     if not -_FARTHEST_LEFT * below <= above <= _FARTHEST_RIGHT * below:
         return None
     length, bits = _plan(above / below, p / q, goal)
-    return one_value(tau, beta, length, bits), bits
+    if first_visit(p, q) and _is_short(above, below):
+        return chain_sum_at(above, below, p, q, length, bits), bits
+    return taylor_sum(tau, beta, length, bits), bits
 
 
 def one_value(tau: fmpq, beta: fmpq, length: int, bits: int) -> arb:
     """An enclosure of Theta(tau, beta) from ``length`` Taylor terms: by chains at the first visit to a short beta."""
-    if first_visit(beta) and 3 * tau.height_bits() <= _LONGEST_CUBE and beta.height_bits() <= _LONGEST_HEIGHT:
-        return chain_sum(tau, beta, length, bits)
+    above, below, p, q = int(tau.p), int(tau.q), int(beta.p), int(beta.q)
+    if first_visit(p, q) and _is_short(above, below) and beta.height_bits() <= _LONGEST_HEIGHT:
+        return chain_sum_at(above, below, p, q, length, bits)
     return taylor_sum(tau, beta, length, bits)
 
 
-def first_visit(beta: fmpq) -> bool:
-    """Whether nobody asked this before for that beta; the last 64 of them are remembered."""
-    return not _visits((int(beta.p), int(beta.q))).again()
+def _is_short(above: int, below: int) -> bool:
+    return 3 * max(above.bit_length(), below.bit_length()) <= _LONGEST_CUBE
+
+
+def first_visit(p: int, q: int) -> bool:
+    """Whether nobody asked this before for beta = p/q; the last 64 of them are remembered."""
+    return not _visits(p, q).again()
 
 
 class _Visits:
@@ -69,7 +76,7 @@ class _Visits:
 
 
 @lru_cache(maxsize=64)
-def _visits(_: tuple[int, int]) -> _Visits:
+def _visits(_p: int, _q: int) -> _Visits:
     return _Visits()
 
 
@@ -82,7 +89,7 @@ def _plan(tau: float, beta: float, goal: int) -> tuple[int, int]:
     value = min(peak, beta * logarithm) if tau < 0 else peak
     bits = goal + _GUARD + int((peak - value) / _LN2)
     step = 16 if bits <= 128 else 32
-    target = 1.5 * ((goal + 3) * _LN2 - value + abs(beta) * min(size, 1.0))
+    target = 1.5 * ((goal + 3) * _LN2 - value + max(-beta, 0.0) * min(size, 1.0))
     k = math.e * scale + target / 4
     for _ in range(2):
         k = (target + k) / max(math.log(k / scale), 0.1)

@@ -67,7 +67,7 @@ def test_the_plan_mostly_reaches_its_goal() -> None:
 
 def test_visits() -> None:
     near._visits.cache_clear()
-    assert [first_visit(fmpq(1, 3)), first_visit(fmpq(1, 3)), first_visit(fmpq(2, 3))] == [True, False, True]
+    assert [first_visit(1, 3), first_visit(1, 3), first_visit(2, 3)] == [True, False, True]
 
 
 def test_what_is_left_to_others() -> None:
