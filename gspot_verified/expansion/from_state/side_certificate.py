@@ -57,7 +57,7 @@ def _statement(side: ModelSide, latest: arb) -> dict[str, Any]:
     return {
         "alpha": _texts(start.alpha_1, start.alpha_2, start.beta * start.alpha_1),
         "b": str(start.b),
-        "by": str(rounded_up(latest, _SHORT)),
+        "by": str(rounded_up(latest, _SHORT << max(0, -math.frexp(approximate(latest))[1]))),
         "contact": _texts(springs.k_1, springs.k_2, springs.c),
         "epsilon": str(side.epsilon),
         "kind": "side",
