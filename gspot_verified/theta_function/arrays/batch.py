@@ -146,7 +146,10 @@ def _filled(results: Results, places: IndexArray, values: FloatArray, radii: Flo
 
 
 def _in_doubles(points: FloatArray, kept: KeptPanels, results: Results) -> IndexArray:
-    """Fill what doubles reach with panels that are kept or worth it; the indices of the points that are left."""
+    """Fill what doubles reach with panels that are kept or worth it; the indices of the points that are left.
+
+    What stands at those says nothing: it is to be filled in.
+    """
     times = kept.asked(len(points))
     cells, fine = kept.worth(points, times)
     if not len(cells):
@@ -159,13 +162,11 @@ def _in_doubles(points: FloatArray, kept: KeptPanels, results: Results) -> Index
     for start in range(0, len(points), BLOCK):
         block = slice(start, start + BLOCK)
         panels = _locate(points[block], cover) - first
-        values, sizes = horner(points[block], panels, centres, inverses, table)
-        bounds = errors.take(panels, mode="clip")
+        values, bounds = results[0][block], results[1][block]
+        sizes = horner(points[block], panels, centres, inverses, table, values)
+        errors.take(panels, out=bounds, mode="clip")
         good = accepted(sizes) & (bounds <= _RELATIVE * np.abs(values))
-        if good.all():
-            results[0][block], results[1][block] = values, bounds
-        else:
-            results[0][block][good], results[1][block][good] = values[good], bounds[good]
+        if not good.all():
             missed.append(start + np.flatnonzero(np.logical_not(good)))
     left = np.concatenate(missed) if missed else np.empty(0, dtype=np.intp)
     return _in_pairs_of_doubles(points, left, kept, times, results)

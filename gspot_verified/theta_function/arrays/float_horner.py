@@ -77,14 +77,19 @@ def arithmetic_is_ieee() -> bool:
 
 
 def horner(
-    points: FloatArray, panels: IndexArray, centres: FloatArray, inverses: FloatArray, table: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """For each point the value of its panel's polynomial at s = (point - centre) * inverse, and |s| as computed.
+    points: FloatArray,
+    panels: IndexArray,
+    centres: FloatArray,
+    inverses: FloatArray,
+    table: FloatArray,
+    values: FloatArray,
+) -> FloatArray:
+    """Fill in for each point the value of its panel's polynomial at s = (point - centre) * inverse; |s| as computed.
 
     ``table[k]`` holds the coefficients of s^k by panel; the inverses are powers of two. A number of a panel beyond the
     table counts as the nearest one: a point that does not lie there is not :func:`accepted`.
     """
-    values, sizes = np.empty_like(points), np.empty_like(points)
+    sizes = np.empty_like(points)
     room = np.empty(min(BLOCK, len(points)))
     for start in range(0, len(points), BLOCK):
         part = slice(start, start + BLOCK)
@@ -97,7 +102,7 @@ def horner(
             total *= s
             total += row.take(index, out=taken, mode="clip")
         np.abs(s, out=s)
-    return values, sizes
+    return sizes
 
 
 def accepted(sizes: FloatArray) -> np.ndarray[Any, np.dtype[np.bool_]]:
