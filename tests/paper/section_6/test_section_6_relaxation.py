@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.section_6 import section_6_relaxation as ledger
+from gspot_verified.paper.section_6 import section_6_runs
 from gspot_verified.paper.section_6.oscillator import ALGEBRA
 
 
@@ -40,6 +44,29 @@ def test_no_rate_without_a_sign_change() -> None:
 def test_about(value: str, answer: bool) -> None:
     assert ledger.lies_in(arb(value), ledger.ABOUT) is answer
     assert ledger.lies_in(arb("0.001", "0.0001"), ledger.ABOUT) is None
+
+
+@pytest.mark.parametrize(
+    ("second", "end", "outcome", "answer"),
+    [
+        (arb("0.14"), "G-spot", Outcome.PROVED, True),
+        (arb("0.16"), "G-spot", Outcome.PROVED, False),
+        (arb("0.15", "0.01"), "G-spot", Outcome.PROVED, None),
+        (None, "G-spot", Outcome.PROVED, None),
+        (arb("0.14"), "stick", Outcome.PROVED, None),
+        (arb("0.14"), "G-spot", Outcome.UNDECIDED, None),
+    ],
+)
+def test_both_starts_slip_for_a_tenth(
+    monkeypatch: pytest.MonkeyPatch, second: arb | None, end: str, outcome: Outcome, answer: bool | None
+) -> None:
+    def path(name: str) -> SimpleNamespace:
+        other = name == "6-second-start"
+        verdict = SimpleNamespace(outcome=outcome if other else Outcome.PROVED)
+        return SimpleNamespace(verdict=verdict, end=end if other else "G-spot", time=second if other else arb("0.11"))
+
+    monkeypatch.setattr(section_6_runs, "slip", path)
+    assert ledger.slips_for_a_tenth() is answer
 
 
 def test_units_of_a_polynomial() -> None:

@@ -25,6 +25,7 @@ TEETH: Teeth = {
         NotApplicable("hidden factor", "one number at one place; nothing is sampled"),
         Bite("hypothesis", ledger.PLACE, "away", lambda _: fmpq(1, 20)),
         Bite("hypothesis", ledger, "NEAR_P", lambda honest: 2 * honest),
+        Bite("hypothesis", ledger, "SLIP_TIME", lambda honest: tuple(10 * end for end in honest)),
         Bite("order", section_6_runs, "EPSILON", lambda honest: honest * 10),
     ),
 }
