@@ -13,12 +13,15 @@ from flint import fmpq_mpoly
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 
-ALGEBRA = Algebra("p b r v alpha1 alpha2 alpha3 LFp LGp LFb LGb LFy LGy LFv LGv c s w g k mu W Y U X")
+ALGEBRA = Algebra("p b r v y alpha1 alpha2 alpha3 LFp LGp LFb LGb LFy LGy LFv LGv c s w g k mu W Y U X")
 PRINTED = {"p": "alpha1", "b": "alpha2 - alpha3*r", "y": "v", "v": "b + p*r"}
 DEFINED = {"LFp": "alpha1", "LFb": "alpha2", "LGb": "-alpha3", "LFy": "v", "LFv": "b", "LGv": "p"}
 """What p, b, v and the α's of Sec. 2 are."""
 LAGRANGIAN = {"LGp": "0*p", "LGy": "0*p"}
 """Eqs. lagrangian1 and lagrangian2: the force does not change y and p at once."""
+
+MODEL = {"p": "alpha1", "b": "alpha2 - alpha3*r", "y": "v", "v": "b + p*r"}
+"""Eqs. modelsys1 to modelsys4: the α's are constants."""
 
 MECHANISM = Algebra("w1 w2 m11 m12 m22 f1 f2 t1 t2 n1 n2 mu lamT lam xt yt k1 k2")
 """A mechanism with two coordinates: functions of them and of t but for the velocities w and the forces f, λ_T, λ_N."""
@@ -256,5 +259,42 @@ def _slip_equations() -> Entry:
     )
 
 
-ENTRIES: Builders = {"2-projected": _projected, "2-at-once": _at_once, "2-slip-equations": _slip_equations}
+def _motivating() -> Entry:
+    this = Claim(ALGEBRA, MODEL)
+
+    def of_the_general_system(parts: Parts) -> list[fmpq_mpoly]:
+        return [parts[name] - ALGEBRA.read(PRINTED[name]) for name in "pbyv"]
+
+    def of_its_fields(parts: Parts) -> list[fmpq_mpoly]:
+        linear = [value.derivative("r").derivative("r") for value in parts.values()]
+        push = {name: value.derivative("r") for name, value in parts.items()}
+        rest = {name: parts[name] - push[name] * ALGEBRA.symbols["r"] for name in parts}
+        along = {"LF": rest, "LG": push}
+        stated = {**DEFINED, **LAGRANGIAN}
+        return [
+            *linear,
+            *(
+                ALGEBRA.derivative(ALGEBRA.symbols[key[2]], along[key[:2]]) - ALGEBRA.read(stated[key])
+                for key in stated
+            ),
+        ]
+
+    return Section("Section 2").settled(
+        "2-motivating",
+        "eqs. modelsys1 to modelsys4, lines 588 to 596",
+        r"\dot p=\alpha_1^*,\ \dot b=\alpha_2^*-\alpha_3^*\lambda_N,\ \dot y=v,\ \dot v=b+p\lambda_N",
+        "With constant α_1, α_2, α_3 the equations of p, b, y, v in positive slip are those of the motivating example; "
+        "and as a general system with the state (p, b, y, v) this has these p, b and α's by the definitions of Sec. 2",
+        this.check("constants put into gensys2 to gensys5", of_the_general_system),
+        this.check("L_F and L_G of p, b, y and v, with F and G read off the example", of_its_fields),
+        note="Eq. modelsys5 is eq. compl1 as it stands (2-compliant).",
+    )
+
+
+ENTRIES: Builders = {
+    "2-projected": _projected,
+    "2-at-once": _at_once,
+    "2-slip-equations": _slip_equations,
+    "2-motivating": _motivating,
+}
 """The general system in positive slip."""

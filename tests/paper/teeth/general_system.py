@@ -37,4 +37,11 @@ TEETH: Teeth = {
         *(Bite("hypothesis", ledger.NEWTON, name, scaled) for name in ledger.NEWTON),
         Bite("order", ledger.PRINTED, "v", replaced("p*r", "p*r^2")),
     ),
+    "2-motivating": (
+        *(Bite("factor", ledger.MODEL, name, scaled, refutes=True) for name in "pbyv"),
+        Bite("hidden factor", ledger.MODEL, "v", unseen_at("r", range(-2, 3))),
+        Bite("hypothesis", ledger.MODEL, "p", lambda honest: f"{honest} + b"),
+        *(Bite("hypothesis", ledger.DEFINED, name, scaled) for name in ledger.DEFINED),
+        Bite("order", ledger.MODEL, "v", replaced("p*r", "p*r^2")),
+    ),
 }

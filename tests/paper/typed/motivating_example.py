@@ -42,6 +42,12 @@ def _section_1_and_2() -> list[Row]:
         ("y", 492, 494, 0, of_side(1)),
         ("v", 495, 496, 0, of_side(1)),
     )
+    found += rows(
+        "2-motivating",
+        {"2-motivating": general_system.MODEL},
+        CONSTANTS | {rf"\alpha_{k}^*": f"alpha{k}" for k in (1, 2, 3)} | {r"\lambda_N": "r"},
+        *((part, 592 + k, 592 + k, 0, of_side(1)) for k, part in enumerate("pbyv")),
+    )
     forced = CONSTANTS | {rf"\alpha_{k}(\xi)": f"alpha{k}" for k in (1, 2, 3)}
     for entry, table, read, first, last in (
         ("1-rescaled", section_1_rigid.RATES, forced, (486, 488), (489, 491)),
