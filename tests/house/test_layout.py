@@ -58,7 +58,7 @@ ROOMS: dict[str, tuple[tuple[str, ...], ...]] = {
     ),
     "mechanisms": (
         ("", "table"),
-        ("fates",),
+        ("fates", "own_state"),
         ("approach", "sweep"),
         ("foreign", "spots"),
         ("derive",),

@@ -137,7 +137,8 @@ def verdict(
     explicit: Annotated[
         bool,
         typer.Option(
-            "--explicit", help="Of a mechanism: an explicit ε0 for starts near the G-spot, on the way there; minutes."
+            "--explicit",
+            help="Of a mechanism: an explicit ε0 for starts around the state, by a chart at the G-spot; minutes.",
         ),
     ] = False,
     surface: Surface = None,
@@ -149,7 +150,7 @@ def verdict(
 
     Of a mechanism, from a state: there is an ε0 > 0. It is computed where α1, α2, α3 are functions of p, b, y, v that
     are analytic at the G-spot, these are components, and the state is near enough to the G-spot; with --explicit where
-    they are not, for starts around a state near the G-spot that rigid slip passes. With --beta and
+    they are not: for starts around a state near the G-spot that rigid slip passes, and around your own. With --beta and
     --from: the model system (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of
     Case III with this β; ε0 is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is
     printed then.
@@ -160,6 +161,7 @@ def verdict(
     from gspot_verified.mechanisms.approach.affine_motion import with_explicit
     from gspot_verified.mechanisms.approach.chart_motion import with_chart
     from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
+    from gspot_verified.mechanisms.own_state.own_state import with_own_state
 
     if (name is None) == (beta is None):
         raise ValueError("give a mechanism or --beta")
@@ -189,7 +191,7 @@ def verdict(
         found = mechanism_side(mechanism, given, surface_velocity=surface, spot=spot)
         found = with_explicit(found, mechanism, given)
         if explicit:
-            found = with_chart(found, mechanism, spot)
+            found = with_own_state(with_chart(found, mechanism, spot), mechanism, given, spot)
     elif state is None:
         for option, value in of_model.items():
             if value is not None:

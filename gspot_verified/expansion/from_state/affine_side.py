@@ -11,7 +11,7 @@ from functools import cache
 from itertools import product
 from typing import ClassVar
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from gspot_verified.expansion.chart.chart import Chart, Region
 from gspot_verified.expansion.chart.cone import Cone, joined_cones, rational_of, ray_of
@@ -92,17 +92,20 @@ def affine_side(
     *,
     within: ExactInput = "1/100",
     force: ExactInput = 10,
+    quotient: arb | None = None,
 ) -> AffineSide:
     """Whether the system lifts off or takes an impact without collision, for every epsilon up to one at once.
 
-    The arguments are those of :func:`model_side`, where p and b may be balls: all of both are meant. The state must lie
-    near the G-spot. Ranges of epsilon are followed as far as they are proved.
+    The arguments are those of :func:`model_side`, where p and b may be balls: all of both are meant, with a
+    ``quotient`` those with -b/p in this ball. The state must lie near the G-spot. Ranges of epsilon are followed as far
+    as they are proved.
 
     :raises ValueError: beta is an integer or above 30; p is not positive, ``within`` negative, ``force`` at most 1; L
         is, or may be, 0; ``within`` or ``force`` is not rational; the contact has no damper.
     """
     checked_ratio(near(system.beta))
-    start = AffineStart(_manifold(system, _LEAST_ORDER), exact(p, "p"), exact(b, "b"), rational(within, "within"))
+    share = rational(within, "within")
+    start = AffineStart(_manifold(system, _LEAST_ORDER), exact(p, "p"), exact(b, "b"), share, quotient)
     factor = rational(force, "force")
     if not (start.p > 0 and start.within >= 0 and factor > 1):
         raise ValueError("p must be positive, within not negative, force above 1")
@@ -157,7 +160,7 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
 
 def _way(start: AffineStart, chart: Chart, cones: Sequence[Cone]) -> ChartedWay | None:
     """Where the states are; None: it is not certain that the starts are states of the chart."""
-    p, force = ball(start.p), ball(-start.b / start.p)
+    p, force = ball(start.p), ball(start.force)
     ray = ray_of(joined_cones(cones), p, force)
     chain = chart.chain(ray.pieces(_PIECES))
     if chain is None:
@@ -285,8 +288,9 @@ def _system_text(system: AffineSystem) -> str:
 
 def states_text(start: AffineStart) -> str:
     """The set of states in words."""
+    sharper = "" if start.quotient is None else f", -b/p = {_text(start.quotient)}"
     return (
-        f"every start in contact at p = {_text(start.p)}, b = {_text(start.b)} with "
+        f"every start in contact at p = {_text(start.p)}, b = {_text(start.b)}{sharper} with "
         f"|lambda_N + b/p| <= {start.within} |L|, "
         f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {start.within} sqrt(p) |L|, "
         f"L = {_text(start.excess)}, {Contact.of(start.manifold.system.regularisation).fast_text}"

@@ -54,18 +54,25 @@ _FINE = 2**100  # exponents that hold mu are rounded to multiples of 1/_FINE
 
 @dataclass(frozen=True)
 class AffineStart:
-    """The states at p with \\|lambda_N + b/p\\|, ... within their shares of \\|L\\|, b given; all p and b of balls."""
+    """The states at p with \\|lambda_N + b/p\\|, ... within their shares of \\|L\\|, b given; all p and b of balls, of
+    them those alone for which -b/p lies in ``quotient``, if it is given."""
 
     manifold: SlowManifold
     p: Exact
     b: Exact
     within: fmpq
+    quotient: arb | None = None
+
+    @property
+    def force(self) -> Exact:
+        """-b/p."""
+        return -self.b / self.p if self.quotient is None else self.quotient
 
     @property
     def excess(self) -> Exact:
         """L_0 = -b/p - the reference force at epsilon = 0."""
         left = {n // 2: value for (i, n), value in still_terms(self.manifold.force).items() if i == 0}
-        rigid: Exact = -self.b / self.p
+        rigid: Exact = self.force
         for power, value in left.items():
             rigid = rigid - value * self.p**power
         return rigid

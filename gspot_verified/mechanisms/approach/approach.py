@@ -34,7 +34,7 @@ from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
 MAX_STEPS = 600  # validated steps: a limit against endless work
 _PRECISIONS = (160, 400)  # bits, tried in turn: any is correct, more keep the last balls narrow
-_SPARE_BITS = 48  # more, which the polynomials of long steps leave to rounding errors
+SPARE_BITS = 48  # more, which the polynomials of long steps leave to rounding errors
 _SAMPLES = 4  # parts of a step that are checked, and points of it that are kept for pictures
 _PARTS = tuple(arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
 _FEWEST_BITS = 36  # of p: with fewer a run towards a G-spot ends, and what was seen before counts
@@ -92,7 +92,7 @@ def followed(
     """The same for a mechanism whose functions are derived; ``beside_place``: what is left out is as at its place."""
     velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
     for bits in _PRECISIONS:
-        with working_bits(bits + _SPARE_BITS):
+        with working_bits(bits + SPARE_BITS):
             outcome = _Attempt(shifted, state, velocity, bits, max_steps, beside_place).result()
         known = outcome.coefficient is not None and sign_of(outcome.coefficient) in (1, -1)
         if outcome.exit_code == 0 or known:  # more bits would not say more

@@ -33,7 +33,7 @@ from gspot_verified.numbers.verdict import Reason, Verdict
 _ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is right
 _BITS = 256  # of a G-spot that is not rational
 _AFTER = "; that the mass matrix is positive definite and mu >= 0 is checked up to p = 0, and assumed after it"
-_ROOM = arb((1, -20))  # of p and b, in parts of them, around those of the path: any number is right
+_ROOM, _ROOM_OF_FORCE = arb((1, -11)), arb((1, -14))  # of p and -b/p, in parts of those of the path: any are right
 
 
 def with_chart(found: MechanismSide, mechanism: Mechanism, spot: int | None = None) -> MechanismSide:
@@ -47,9 +47,10 @@ def with_chart(found: MechanismSide, mechanism: Mechanism, spot: int | None = No
         with working_bits(place.bits):
             chart = Chart(restricted(place, active))
             number = state_to_start_from(path.p, radius(chart))
-            p, b = (add_remainder(value, abs(value) * _ROOM) for value in (path.p[number], path.b[number]))
+            p = add_remainder(path.p[number], path.p[number] * _ROOM)
+            force = add_remainder(path.force[number], path.force[number] * _ROOM_OF_FORCE)
             system = _charted(chart)
-        explicit = affine_side(system, p, b)
+        explicit = affine_side(system, p, -force * p, quotient=force)
     except (ValueError, ZeroDivisionError):  # beside the theorem: nothing is said
         return found
     with working_bits(place.bits):

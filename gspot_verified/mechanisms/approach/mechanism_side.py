@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import ClassVar
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, fmpq
 
 from gspot_verified.expansion.from_state.affine_side import AffineSide
 from gspot_verified.expansion.from_state.limit_side import OTHER, rule_of
@@ -30,6 +30,27 @@ from gspot_verified.numbers.written import Written, under
 
 
 @dataclass(frozen=True)
+class OwnSide(NoTruthValue, Written):
+    """What becomes of all starts around the user's own state, for every epsilon in (0, ``epsilon``] at once.
+
+    The starts: in contact, every component within ``beside`` epsilon of the state on the contact, and the contact's
+    fast part at most ``share`` of \\|b\\|, as the statement says. ``side``: "lift-off", "impact", or None: undecided,
+    and ``verdict.detail`` says which inequality is not certain.
+    """
+
+    written: ClassVar[str] = "beside share epsilon side verdict"
+
+    beside: fmpq
+    share: fmpq
+    epsilon: fmpq
+    side: str | None
+    verdict: Verdict
+
+    def __str__(self) -> str:
+        return str(self.verdict)
+
+
+@dataclass(frozen=True)
 class MechanismSide(NoTruthValue, Written):
     """What the compliant mechanism does at the G-spot that slip from a state reaches, for small epsilon.
 
@@ -39,10 +60,11 @@ class MechanismSide(NoTruthValue, Written):
     force; it is not computed, and nothing is said of any one epsilon.
     ``approach`` is what was proved for rigid slip, ``active`` names the components on which the contact depends.
     ``explicit``, where it was asked for: an epsilon_0 for a set of starts. Where p, b, y, v are no components it is
-    a set around a state of rigid slip near the G-spot, which slip reaches at the time ``reached``.
+    a set around a state of rigid slip near the G-spot, which slip reaches at the time ``reached``; then ``own`` is
+    about the starts around the state itself.
     """
 
-    written: ClassVar[str] = "side active verdict explicit reached " + under(
+    written: ClassVar[str] = "side active verdict explicit reached own " + under(
         "approach",
         "name start solved end place case alphas beta C1=coefficient surface_velocity least_slip notes warnings bits",
     )
@@ -53,6 +75,7 @@ class MechanismSide(NoTruthValue, Written):
     verdict: Verdict
     explicit: AffineSide | None = None
     reached: str | None = None
+    own: OwnSide | None = None
 
     def __str__(self) -> str:
         found = self.approach
@@ -68,10 +91,11 @@ class MechanismSide(NoTruthValue, Written):
         if self.explicit is not None:
             lines.append(f"  for an explicit epsilon_0 (proofs/from_state.md, section 8): {self.explicit}")
         if self.reached is not None:
-            lines.append(
-                f"  rigid slip from the state is at one of these starts after t = {self.reached}; that the compliant "
-                "motion from the state comes there too is not part of it"
-            )
+            comes = f"  rigid slip from the state is at one of these starts after t = {self.reached}"
+            beside = "; that the compliant motion from the state comes there too is not part of it"
+            lines.append(comes if self.own is not None and self.own.side is not None else comes + beside)
+        if self.own is not None:
+            lines.append(f"  from the state itself (proofs/from_own_state.md): {self.own}")
         return "\n".join([*lines, *(f"  {line}" for line in (*found.notes, *found.warnings))])
 
 

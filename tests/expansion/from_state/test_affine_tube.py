@@ -124,6 +124,19 @@ def start(excess: fmpq = EXCESS, within: fmpq = WITHIN, **changes: Any) -> Affin
     return AffineStart(manifold(**changes), P, -P * (still_force(force) + excess), within)
 
 
+def test_a_quotient_is_what_b_over_p_is_known_by() -> None:
+    """The same b in a wide ball, with -b/p in a narrow one: the excess is that of the narrow one."""
+    exact = start()
+    with working_bits(128):
+        narrow = arb(exact.force) + arb(0, "1e-9")
+        wide = replace(exact, b=-P * arb(exact.force) + arb(0, "0.01"))
+        known = replace(wide, quotient=narrow)
+        assert wide.force.contains(narrow)
+        assert known.force is narrow
+        assert abs(known.excess - arb(EXCESS)) < arb("1e-8")
+        assert arb(wide.excess).rad() > arb("1e-3")
+
+
 def found(
     given: AffineStart | None = None,
     growth: Growth | None = None,

@@ -147,23 +147,25 @@ def test_what_has_no_side_or_an_epsilon_already_is_left_alone() -> None:
 
 
 def test_the_start_is_a_state_of_the_path(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its p and b, a millionth wider, at the time that is told."""
+    """Its p and -b/p, somewhat wider, at the time that is told."""
     asked, found = list[Any](), rigid("-9/10")
     side, _ = near_side(STATES)
 
-    def stand_in(system: Any, p: arb, b: arb) -> AffineSide:
-        asked.append((system, p, b))
+    def stand_in(system: Any, p: arb, b: arb, quotient: arb) -> AffineSide:
+        asked.append((system, p, b, quotient))
         return replace(side, way=None)
 
     monkeypatch.setattr(module, "affine_side", stand_in)
     told = with_chart(found, load("oscillator"))
-    ((system, p, b),) = asked
+    ((system, p, b, force),) = asked
     path = found.approach.path
     (number,) = [i for i, value in enumerate(path.p) if p.contains(value)]
     assert arb("0.0005") < p < arb("0.00105")
     assert b.contains(path.b[number])
-    assert p.rad() > arb("5e-7") * p
-    assert p.rad() < arb("2e-6") * p
+    assert arb("4e-4") * p.mid() < p.rad() < arb("6e-4") * p.mid()
+    assert force.contains(path.force[number])
+    assert arb("5e-5") * force.mid() < force.rad() < arb("7e-5") * force.mid()
+    assert b.contains(-(force * p).mid())
     assert told.reached is not None
     assert arb(told.reached.strip("[]").split(" +/-")[0]).overlaps(arb(path.time[number].mid(), "1e-6"))
     assert f"  rigid slip from the state is at one of these starts after t = {told.reached}" in str(told)
@@ -171,7 +173,7 @@ def test_the_start_is_a_state_of_the_path(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_what_is_beside_the_theorem_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuses(*_: Any) -> AffineSide:
+    def refuses(*_: Any, **__: Any) -> AffineSide:
         raise ValueError("beta must be above 1")
 
     monkeypatch.setattr(module, "affine_side", refuses)

@@ -1,0 +1,198 @@
+"""Theorem O (proofs/from_own_state.md) beside float runs of the model system in contact, by another method."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.expansion.from_state.slow_series import Contact
+from gspot_verified.mechanisms.approach.slip_flow import SlipFlow
+from gspot_verified.mechanisms.approach.slip_state import slip_state
+from gspot_verified.mechanisms.derive.to_system import shift
+from gspot_verified.mechanisms.load import load
+from gspot_verified.mechanisms.own_state.compliant_tube import (
+    CompliantEquations,
+    CompliantTube,
+    OwnStarts,
+    compliant_tube,
+)
+from gspot_verified.mechanisms.own_state.fast_norm import FastNorm
+from gspot_verified.mechanisms.own_state.rigid_way import WayPart, rigid_way
+from gspot_verified.numbers.balls import approximate, working_bits
+
+DIRECTIONS = [(0.3, 0.0, 1.0), (1.9, 0.2, -1.0), (3.4, -0.4, 0.0), (5.0, 1.2, 1.0), (0.0, 1.5707, -1.0)]
+STARTS, EPSILON = OwnStarts(fmpq(1), fmpq(1, 4)), fmpq(1, 2000)
+FIRST, LAST = 0.5, 0.25  # p
+WEIGHT = fmpq(1)
+BITS = 208
+
+
+@cache
+def known() -> tuple[SlipFlow, tuple[arb, ...], list[WayPart]]:
+    """Slip of the model system from p = 1/2, b = -2 to p = 1/4."""
+    with working_bits(BITS):
+        shifted = shift(load("model system"))
+        flow = SlipFlow.of(shifted)
+        start = slip_state(shifted, {"x": 0, "u": 3, "p": "1/2", "b": "-2"}).box
+        way = rigid_way(flow, start, arb("0.25", "0.01"), 100)
+        assert way is not None
+        return flow, start, way
+
+
+def tube(
+    epsilon: fmpq = EPSILON, starts: OwnStarts = STARTS, way: list[WayPart] | None = None, weight: fmpq = WEIGHT
+) -> CompliantTube | str:
+    flow, start, parts = known()
+    contact = Contact.of(load("model system").regularisation)
+    with working_bits(BITS):
+        return compliant_tube(
+            CompliantEquations(flow), FastNorm(contact, weight), start, parts if way is None else way, starts, epsilon
+        )
+
+
+@cache
+def run(epsilon: float, end: float, start: tuple[float, ...]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """(b, y/epsilon^2, v/epsilon, z/epsilon^2, x, u) at the time ``end``; p falls by 1 in a unit of time."""
+    from scipy.integrate import solve_ivp
+
+    def rates(time: float, state: Any) -> list[float]:
+        b, Y, V, Z, _, u = state
+        force = Z - Y
+        return [
+            -1 + 1.5 * force,
+            V / epsilon,
+            (b + (start[-1] - time) * force) / epsilon,
+            (-Z - force) / epsilon,
+            u,
+            -force,
+        ]
+
+    found = solve_ivp(rates, (0, end), start[:-1], method="DOP853", rtol=1e-10, atol=1e-13)
+    return np.asarray(found.y[:, -1])
+
+
+def start_at(angle: float, turn: float, off: float, share: float) -> tuple[float, ...]:
+    """A start with |X| = ``share`` |b| in the direction of the two angles, each component off by ``off``."""
+    p, b = FIRST + off, -2 + off
+    size = -b * share
+    V = size * math.cos(angle) * math.cos(turn) / math.sqrt(p / 2)
+    W, phi = size * math.sin(angle) * math.cos(turn), size * math.sin(turn) / (2 * math.sqrt(2 * p))
+    force = (W - b) / p
+    Y = 2 * (phi - force - V / 4)
+    return b, Y, V, Y + force, off, 3 - off, p
+
+
+NAMES = ("x", "u", "p", "b", "-b/p", "fast", "y", "v")
+
+
+def used(found: CompliantTube, share: float, angle: float, turn: float, off: float, parts: int) -> dict[str, float]:
+    """Which part of its bound each number has at the end of a run."""
+    end, epsilon = approximate(known()[2][parts - 1].until), approximate(found.epsilon)
+    first = start_at(angle, turn, off * epsilon * 0.999, share)
+    b, Y, V, Z, x, u = run(epsilon, end, first)
+    p, force = first[-1] - end, Z - Y
+    own = x, u, p, b, -b / p, epsilon**2 * Y, epsilon * V
+    fast = max(abs(math.sqrt(p / 2) * V), abs(b + p * force), abs(2 * math.sqrt(2 * p) * (force + Y / 2 + V / 4)))
+    places, states = found.place, found.states
+    balls = states[0], states[1], states[4], states[5], found.force, places[2], places[3]
+    shares = [
+        abs(one - approximate(ball.mid())) / approximate(ball.rad()) for one, ball in zip(own, balls, strict=True)
+    ]
+    return dict(zip(NAMES, [*shares[:5], fast / approximate(found.fast), *shares[5:]], strict=True))
+
+
+@pytest.mark.parametrize(("angle", "turn", "off"), [(0.3, 0.0, 1), (1.9, 0.2, -1), (5.0, 1.2, 1), (0.0, 1.5707, -1)])
+def test_runs_of_the_compliant_model_lie_in_the_tube(angle: float, turn: float, off: int) -> None:
+    _, _, way = known()
+    for parts in (2, len(way)):
+        found = tube(way=way[:parts])
+        assert isinstance(found, CompliantTube)
+        shares = used(found, 0.25, angle, turn, off, parts)
+        assert max(shares.values()) < 1, shares
+
+
+def test_the_fast_part_falls_from_what_it_was() -> None:
+    """After the first part of the way the largest share of the bound that a run needs is not small."""
+    found = tube(way=known()[2][:1])
+    assert isinstance(found, CompliantTube)
+    assert max(used(found, 0.25, angle, turn, 0, 1)["fast"] for angle, turn, _ in DIRECTIONS) > 0.3
+
+
+@pytest.mark.parametrize("off", [1, -1])
+def test_without_a_fast_part_the_bounds_are_sharp(off: int) -> None:
+    found = tube(starts=OwnStarts(fmpq(1), fmpq(1, 10**6)))
+    assert isinstance(found, CompliantTube)
+    shares = used(found, 1e-6, 0.0, 0.0, off, len(known()[2]))
+    assert max(shares.values()) < 1, shares
+    assert all(
+        shares[name] > least
+        for name, least in {"x": 0.55, "u": 0.2, "p": 0.99, "b": 0.3, "-b/p": 0.5, "fast": 0.7}.items()
+    )
+
+
+def test_a_smaller_epsilon_has_smaller_bounds() -> None:
+    large, small = tube(), tube(EPSILON / 10)
+    assert isinstance(large, CompliantTube)
+    assert isinstance(small, CompliantTube)
+    assert small.fast < large.fast
+    assert all(one.rad() < other.rad() / 5 for one, other in zip(small.states[:2], large.states[:2], strict=True))
+    for one, other in zip(small.boxes, large.boxes, strict=True):
+        assert all(map(arb.contains, other, one))
+
+
+def test_every_state_of_the_way_lies_in_the_boxes() -> None:
+    found = tube()
+    assert isinstance(found, CompliantTube)
+    for part, box in zip(known()[2], found.boxes, strict=True):
+        assert all(map(arb.contains_interior, box, part.states))
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"epsilon": fmpq(1, 50)}, "epsilon times the growth"),
+        ({"starts": OwnStarts(fmpq(1), fmpq(1))}, "contact: |b + p lambda| <= "),
+        ({"starts": OwnStarts(fmpq(1000), fmpq(1, 4))}, "the norm of the fast part does not certainly fall at p = "),
+        ({"starts": OwnStarts(fmpq(500), fmpq(1, 4))}, "not certain"),
+        ({"weight": fmpq(8)}, "the norm of the fast part does not certainly fall at p = "),
+    ],
+)
+def test_what_is_not_certain_is_told(changes: dict[str, Any], why: str) -> None:
+    found = tube(**changes)
+    assert isinstance(found, str)
+    assert why in found
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"states": (arb("nan"),) * 6}, {"duration": arb(-1)}, {"duration": arb(0, 1)}],
+)
+def test_a_part_that_says_too_little_is_refused(changes: dict[str, Any]) -> None:
+    first, *others = known()[2]
+    assert isinstance(tube(way=[replace(first, **changes), *others]), str)
+
+
+def test_the_largest_share_is_nearly_reached() -> None:
+    """With a share of 0.65 of |b| contact is shown, with 0.7 it is not: the norm is not the Euclidean one."""
+    assert isinstance(tube(starts=OwnStarts(fmpq(1), fmpq(13, 20))), CompliantTube)
+    assert isinstance(tube(starts=OwnStarts(fmpq(1), fmpq(7, 10))), str)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"epsilon": fmpq(0)},
+        {"starts": OwnStarts(fmpq(0), fmpq(1, 4))},
+        {"starts": OwnStarts(fmpq(1), fmpq(-1, 4))},
+        {"way": []},
+    ],
+)
+def test_arguments_that_mean_nothing(changes: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match="must be positive"):
+        tube(**changes)
