@@ -39,7 +39,8 @@ _ROOM, _ROOM_OF_FORCE = arb((1, -11)), arb((1, -14))  # of p and -b/p, in parts 
 def with_chart(found: MechanismSide, mechanism: Mechanism, spot: int | None = None) -> MechanismSide:
     """The same with ``explicit`` for the starts around a state of rigid slip near the G-spot, on the way that
     :func:`mechanism_side` followed, where the contact depends on four components alone."""
-    if found.side is None or found.explicit is not None or len(found.active) != 4:
+    known = found.explicit is not None and found.explicit.side is not None
+    if found.side is None or known or len(found.active) != 4:
         return found
     active, path = [mechanism.state.index(word) for word in found.active], found.approach.path
     try:

@@ -146,6 +146,14 @@ def test_what_has_no_side_or_an_epsilon_already_is_left_alone() -> None:
     assert with_chart(known, load("oscillator")) is known
 
 
+def test_an_epsilon_that_is_not_known_is_asked_for_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a start nearer to the G-spot."""
+    side = near_side(STATES)[0]
+    found = replace(rigid("-9/10"), explicit=replace(side, side=None))
+    monkeypatch.setattr(module, "affine_side", lambda *_, **__: replace(side, way=None))
+    assert with_chart(found, load("oscillator")).explicit == replace(side, way=None)
+
+
 def test_the_start_is_a_state_of_the_path(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its p and -b/p, somewhat wider, at the time that is told."""
     asked, found = list[Any](), rigid("-9/10")

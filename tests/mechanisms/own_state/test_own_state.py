@@ -12,6 +12,7 @@ from flint import arb, fmpq
 
 from gspot_verified.expansion.chart.chart import Region
 from gspot_verified.expansion.from_state.affine_side import AffineSide, ChartedWay
+from gspot_verified.mechanisms.approach.affine_motion import with_explicit
 from gspot_verified.mechanisms.approach.chart_motion import with_chart
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, OwnSide, mechanism_side
 from gspot_verified.mechanisms.derive.slip_hypotheses import FRICTION, SlipHypotheses
@@ -21,6 +22,7 @@ from gspot_verified.mechanisms.own_state.own_state import with_own_state
 from gspot_verified.numbers.balls import ball, working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome, Verdict
+from tests.witnesses.stiff_contact import StiffContact, at_rest
 from tests.witnesses.stiff_oscillator import StiffOscillator
 
 SHOWN = less(0, 1)
@@ -175,4 +177,26 @@ def test_the_oscillator_from_its_own_state(speed: str, side: str, least: fmpq) -
             rest = contact.at_rest(phi + turn * e, phi_dot - turn * e)
             rest[4] += turn * (rest[4] - rest[2]) / 5  # lambda is Z - Y: a fifth off
             last = contact.run(rest, lambda u: bool(u[4] - u[2] <= 0 or u[4] - u[2] > 33), tolerance="1e-9")
+            assert ("lift-off" if last[4] - last[2] <= 0 else "impact") == side
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("b", "side"), [("-11/20", "lift-off"), ("-3/20", "impact")])
+def test_the_extended_system_from_a_state_that_is_too_far_for_its_power_series(b: str, side: str) -> None:
+    """p = 1/4, where the slow manifold's polynomials say nothing; runs by hand from the edge of the set."""
+    system, state = load("extended system"), {"x": 0, "u": 2, "p": "1/4", "b": b}
+    found = with_explicit(mechanism_side(system, state), system, state)
+    assert found.explicit is not None
+    assert found.explicit.side is None
+    found = with_own_state(with_chart(found, system), system, state)
+    assert found.own is not None
+    assert found.own.side == found.side == side, found.own
+    assert found.own.epsilon > fmpq(1, 10**8)
+    one, e = fmpq(1), found.own.epsilon
+    contact = StiffContact([(-one, 0 * one, one), (-one, 0 * one, 0 * one), (-one * 3 / 2, 0 * one, 0 * one)], e)
+    with working_bits(200):
+        for turn in (1, -1):
+            rest = at_rest(fmpq(1, 4) + turn * e, fmpq(*map(int, b.split("/"))) - turn * e)
+            rest[4] += turn * (rest[4] - rest[2]) / 5
+            last = contact.run(rest, lambda u: bool(u[4] - u[2] <= 0 or u[4] - u[2] > 21), tolerance="1e-9")
             assert ("lift-off" if last[4] - last[2] <= 0 else "impact") == side
