@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from flint import arb, arb_mat, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram
-from gspot_verified.functions.expressions import Variable
+from gspot_verified.functions.expressions import Constant, Variable
 from gspot_verified.mechanisms.approach.slip_flow import ClosedFlow
 from gspot_verified.mechanisms.own_state.fast_norm import FastNorm
 from gspot_verified.mechanisms.own_state.rigid_way import WayPart
@@ -59,7 +59,7 @@ class CompliantEquations:
             [*slip, flow.alpha_1, -(flow.alpha_2 + (flow.alpha_1 - flow.alpha_3) * force) / p], m + 2
         )
         self._place = BoxProgram([flow.p, -flow.b / flow.p], m)
-        self._kicks = BoxProgram([flow.alpha_1, flow.alpha_3, *flow.G], m)
+        self._kick = BoxProgram([*(g / p for g in flow.G), Constant(fmpq(0)), flow.alpha_3 / (p * p)], m + 2)
 
     def place(self, states: Sequence[arb]) -> list[arb]:
         """The states with p and -b/p."""
@@ -73,11 +73,9 @@ class CompliantEquations:
         """The rates and their derivatives."""
         return self._rates.gradients(list(box))
 
-    def kicks(self, box: Sequence[arb]) -> tuple[arb, arb, list[arb]]:
-        """alpha_1, alpha_3, and what b + p lambda adds to the rates, over it."""
-        first, third, *turns = self._kicks.values(list(box[: self.dimension]))
-        p = box[self.dimension]
-        return first, third, [*(turn / p for turn in turns), _NOTHING, third / p**2]
+    def kick(self, box: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
+        """What b + p lambda adds to the rates, over it, and its derivatives."""
+        return self._kick.gradients(list(box))
 
 
 def compliant_tube(
@@ -108,7 +106,7 @@ def compliant_tube(
         shown.append(known.evidence)
     if isinstance(known, str):
         return known
-    at_end = [add_remainder(one, off) for one, off in zip(equations.place(way[-1].last), known.off, strict=True)]
+    at_end = [add_remainder(one, off) for one, off in zip(equations.place(way[-1].last), known.beside, strict=True)]
     shift = _shift(equations, norm, at_end, ball(epsilon))
     *states, p, force = at_end
     evidence = every(shown)
@@ -129,9 +127,10 @@ def _place(norm: FastNorm, p: arb, force: arb, fast: arb, epsilon: arb) -> tuple
 
 @dataclass(frozen=True)
 class _Reached:
-    """At the end of a part: the distances from rigid slip, E, the largest of 2 S/rate, and what \\|X\\| is at most."""
+    """At the end of a part: bounds of eta and of the distance from rigid slip, E, Q, and what \\|X\\| is at most."""
 
     off: list[arb]
+    beside: list[arb]
     first: arb
     decayed: arb
     driven: arb
@@ -152,9 +151,11 @@ def _begun(
         return f"the norm of the fast part does not certainly fall at p = {_shown(p)}"
     off = [beside.upper()] * len(states)
     off += [(beside * sum(map(abs, row), _NOTHING)).upper() for row in equations.slopes(states)]
-    own = ball(starts.share) * p * force + _shift(equations, norm, box, epsilon)
-    first = ((1 + decay.tilt).sqrt() * own).upper()
-    return _Reached(off, first, _NOTHING, _NOTHING, first, decay.evidence)
+    fast = ball(starts.share) * p * force
+    speed = epsilon * fast / (ball(norm.contact.kappa) * p).sqrt()
+    eta = [(one + speed * abs(kick)).upper() for one, kick in zip(off, equations.kick(box)[0], strict=True)]
+    first = ((1 + decay.tilt).sqrt() * (fast + _shift(equations, norm, box, epsilon))).upper()
+    return _Reached(eta, off, first, _NOTHING, _NOTHING, first, decay.evidence)
 
 
 def _shift(equations: CompliantEquations, norm: FastNorm, box: Sequence[arb], epsilon: arb) -> arb:
@@ -169,25 +170,28 @@ def _passed(
 ) -> tuple[_Reached, list[arb]] | str:
     """At the end of the next part, and a box of the state, p and Lambda on it."""
     rigid, time = equations.place(part.states), part.duration
-    radii = [_ROOM * one for one in before.off]
+    radii = [_ROOM * one for one in before.beside]
     for _ in range(_TRIES):
         box = [add_remainder(one, radius) for one, radius in zip(rigid, radii, strict=True)]
         fast = _fast(equations, norm, box, before, time, epsilon)
         if isinstance(fast, str):
             return fast
-        reached, largest = _moved(equations, box, before, fast, time)
+        reached, ends, largest = _moved(equations, box, before, fast, time)
         inside = every(less(one, radius) for one, radius in zip(largest, radii, strict=True))
         shown = every([fast.evidence, less(0, time), inside])
         if shown is not None:
-            return _Reached(reached, before.first, fast.decayed, fast.driven, fast.last, shown), box
+            return _Reached(reached, ends, before.first, fast.decayed, fast.driven, fast.last, shown), box
         radii = [(one * _LARGER).upper() for one in largest]
     return f"the distance from rigid slip is not certainly bounded at p = {_shown(rigid[equations.dimension])}"
 
 
 @dataclass(frozen=True)
 class _Fast:
-    """On a part: the integral of \\|b + p lambda\\|, and what \\|X\\| is at its end."""
+    """Bounds on a part: the integral of \\|v\\|, \\|v\\| on it and at its end, \\|W\\| on it, \\|X\\| at its end."""
 
+    travelled: arb
+    speed: arb
+    last_speed: arb
     push: arb
     last: arb
     decayed: arb
@@ -198,19 +202,19 @@ class _Fast:
 def _fast(
     equations: CompliantEquations, norm: FastNorm, box: Sequence[arb], before: _Reached, time: arb, epsilon: arb
 ) -> _Fast | str:
-    """(3) to (5) of the page, on a box."""
+    """(3), (5) of the page, on a box."""
     *_, p, force = box
     where = f"at p = {_shown(p)}, Lambda = {_shown(force)}"
     decay, kappa = norm.decay(p), ball(norm.contact.kappa)
     if decay is None:
         return f"the norm of the fast part does not certainly fall {where}"
     values, rows = equations.rates(box)
-    first, third, kicks = equations.kicks(box)
-    slope = rows[-1]
+    kicks, _ = equations.kick(box)
+    slope, first = rows[-1], values[-2]
     turn = abs(sum((a * k for a, k in zip(slope, kicks, strict=True)), _NOTHING)) * p
     drive = abs(sum((a * b for a, b in zip(slope, values, strict=True)), _NOTHING)) * (p / kappa).sqrt()
     tilt = decay.tilt
-    spread = (abs(first) / (2 * p)).max(abs(first - third) / p) + epsilon * turn / (kappa * p).sqrt()
+    spread = (abs(first) / (2 * p)).max(abs(slope[-1])) + epsilon * turn / (kappa * p).sqrt()
     growth = ((1 + tilt) * spread + tilt * abs(first) / (4 * p)) / (1 - tilt)
     rate = decay.rate / 2
     driven = before.driven.max((drive / rate).upper())
@@ -227,27 +231,46 @@ def _fast(
     evidence = every([decay.evidence, *conditions.values()])
     if evidence is None:
         return f"not certain {where}: " + "; ".join(failed)
-    push = share * (left * (epsilon / rate).min(time.upper()) + epsilon**2 * driven * time)
     decayed = (before.decayed + rate * time).lower()
     last = share * (before.first * (-decayed / epsilon).exp() + epsilon**2 * driven)
-    return _Fast(push.upper(), last.upper(), decayed, driven, evidence)
+    per, still = epsilon / (kappa * p).sqrt(), epsilon**2 * abs(values[-1]) / kappa
+    travelled = per * share * (left * (epsilon / rate).min(time.upper()) + epsilon**2 * driven * time) + still * time
+    return _Fast(
+        travelled.upper(),
+        (per * largest + still).upper(),
+        (per * last + still).upper(),
+        largest.upper(),
+        last.upper(),
+        decayed,
+        driven,
+        evidence,
+    )
 
 
 def _moved(
     equations: CompliantEquations, box: Sequence[arb], before: _Reached, fast: _Fast, time: arb
-) -> tuple[list[arb], list[arb]]:
-    """The distances at the end of the part, and bounds on the whole part; (2) of the page."""
-    _, rows = equations.rates(box)
-    *_, kicks = equations.kicks(box)
+) -> tuple[list[arb], list[arb], list[arb]]:
+    """Bounds of eta and of the distance at the end of the part, and of the distance on the whole part; (5), (6)."""
+    values, rows = equations.rates(box)
+    kick, turns = equations.kick(box)
+    slopes, change, column = arb_mat(rows), arb_mat(turns), arb_mat([[one] for one in kick])
+    drift = slopes * column - change * arb_mat([[one] for one in values])
+    drift -= change * column * add_remainder(_NOTHING, fast.push)
     size = len(box)
     growth = arb_mat(
         [[(entry if i == j else abs(entry)).upper() for j, entry in enumerate(row)] for i, row in enumerate(rows)]
     )
     upwards = arb_mat(size, size, [entry.max(_NOTHING) for entry in growth.entries()])
-    off, push = arb_mat([[one] for one in before.off]), arb_mat([[(abs(one) * fast.push).upper()] for one in kicks])
+    eta = arb_mat([[one] for one in before.off])
+    push = arb_mat([[(abs(one) * fast.travelled).upper()] for one in drift.entries()])
     whole = (upwards * time).exp()
-    end = (growth * time).exp() * off + whole * push
-    return [one.upper() for one in end.entries()], [one.upper() for one in (whole * (off + push)).entries()]
+    end = [one.upper() for one in ((growth * time).exp() * eta + whole * push).entries()]
+    largest = (whole * (eta + push)).entries()
+    return (
+        end,
+        [(one + fast.last_speed * abs(by)).upper() for one, by in zip(end, kick, strict=True)],
+        [(one + fast.speed * abs(by)).upper() for one, by in zip(largest, kick, strict=True)],
+    )
 
 
 def _shown(value: arb) -> str:

@@ -33,7 +33,7 @@ from gspot_verified.numbers.balls import ball, ball_text, exact, working_bits
 from gspot_verified.numbers.evidence import every, in_interior, inside, less
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
-_STARTS = OwnStarts(beside=fmpq(1), share=fmpq(1, 4))  # any numbers are right
+_STARTS = OwnStarts(beside=fmpq(1), share=fmpq(1, 2))  # any numbers are right
 _WEIGHTS = (fmpq(1), fmpq(1, 2), fmpq(1, 4), fmpq(1, 8))  # of the norm: any are right
 _TRIES, _NEXT = 32, fmpq(3, 4)  # of epsilon, each time this part of it
 
