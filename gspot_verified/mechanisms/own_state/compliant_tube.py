@@ -236,14 +236,14 @@ def _fast(
     per, still = epsilon / (kappa * p).sqrt(), epsilon**2 * abs(values[-1]) / kappa
     travelled = per * share * (left * (epsilon / rate).min(time.upper()) + epsilon**2 * driven * time) + still * time
     return _Fast(
-        travelled.upper(),
-        (per * largest + still).upper(),
-        (per * last + still).upper(),
-        largest.upper(),
-        last.upper(),
-        decayed,
-        driven,
-        evidence,
+        travelled=travelled.upper(),
+        speed=(per * largest + still).upper(),
+        last_speed=(per * last + still).upper(),
+        push=largest.upper(),
+        last=last.upper(),
+        decayed=decayed,
+        driven=driven,
+        evidence=evidence,
     )
 
 
