@@ -18,6 +18,7 @@ from flint import fmpq
 
 from gspot_verified.compliant.patches.slow_patch import SlowPatch
 from gspot_verified.compliant.zeros.fold_column import fold_column, numbers_of_zeros
+from gspot_verified.compliant.zeros.polynomial_zeros import number_at_integer
 from gspot_verified.compliant.zeros.slow_zero_column import MAP_REACH, slow_zero_column
 from gspot_verified.compliant.zeros.zero_count import SYSTEM
 from gspot_verified.numbers.counted import counted
@@ -39,11 +40,18 @@ _LEAST_PIECE = fmpq(1, 2**7)  # of tau; a column that needs narrower ones is cut
 _FIRST_ETA, _ETA_STEP = fmpq(2, 25), fmpq(1, 10)  # where epsilon is cut into rows: a heuristic
 
 
+PlainStretch = tuple[fmpq, fmpq, tuple[int, ...]]  # from and to in beta, the numbers of zeros
+
+
 class Stretch(NamedTuple):
-    """A range of beta and the numbers of zeros there, two where a fold lies in it."""
+    """A range of beta and the number of zeros there; or two, before and after a fold, which may lie outside of it.
+
+    ``fold_inside``: there are two, and the fold lies in the range for every epsilon of the row.
+    """
 
     beta: tuple[fmpq, fmpq]
     numbers: tuple[int, ...]
+    fold_inside: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +76,24 @@ class Row(Written):
     @property
     def stretch_rows(self) -> list[Stretch]:
         """:meth:`stretches` with names."""
-        return [Stretch((a, b), numbers) for a, b, numbers in self.stretches()]
+        found = self.stretches()
+        return [
+            Stretch((a, b), numbers, len(numbers) == 2 and self._folds_inside(found, k))
+            for k, (a, b, numbers) in enumerate(found)
+        ]
+
+    def _folds_inside(self, stretches: list[PlainStretch], k: int) -> bool:
+        """Whether the first number is that at the lower end and the second one at the upper end, for every epsilon."""
+        lower, upper, (first, last) = stretches[k]
+        begins = any(one[1:] == (lower, (first,)) for one in stretches)
+        ends = any((one[0], one[2]) == (upper, (last,)) for one in stretches)
+        if lower.q == 1:
+            # The tail that begins with an integer has its one zero only beyond the integer.
+            [tail] = {column.pieces[-1].mark for column in self.columns if column.lower == lower}
+            begins = number_at_integer(int(lower.p) - 1, self.lower, self.upper) == first - tail
+        if upper.q == 1:
+            ends = number_at_integer(int(upper.p) - 1, self.lower, self.upper) == last
+        return begins and ends
 
     def ends(self) -> list[tuple[fmpq | None, fmpq]]:
         """The ranges of beta of the columns whose pieces cover the line and tell the number of zeros."""
@@ -79,22 +104,30 @@ class Row(Written):
             and numbers_of_zeros(column, self.lower, self.upper) is not None
         ]
 
-    def stretches(self) -> list[tuple[fmpq, fmpq, tuple[int, ...]]]:
-        """Maximal ranges of beta inside one cell with the same number; a range with (N + 2, N) holds a fold."""
-        stretches: list[tuple[fmpq, fmpq, tuple[int, ...]]] = []
-        for column in self.columns:
-            numbers = numbers_of_zeros(column, self.lower, self.upper)
-            assert numbers is not None
+    def stretches(self) -> list[PlainStretch]:
+        """Maximal ranges of beta inside one cell with the same number; (N + 2, N): before and after one fold, which may
+        lie in the range, for other epsilon outside of it."""
+        found = [self._numbers(column) for column in self.columns]
+        joints = [k for k, (one, two) in enumerate(pairwise(self.columns), 1) if _joined_inside(one, two)]
+        for k in joints:
+            if found[k - 1] == found[k][1:]:
+                found[k] = found[k - 1]  # at the common end the fold is behind
+        for k in reversed(joints):
+            if found[k] == found[k - 1][:1]:
+                found[k - 1] = found[k]  # at the common end the fold is ahead
+        stretches: list[PlainStretch] = []
+        for k, (column, numbers) in enumerate(zip(self.columns, found, strict=True)):
             assert column.lower is not None
-            last = stretches[-1] if stretches else None
-            joined = last is not None and last[1] == column.lower and column.lower.q != 1
-            if last is not None and joined and last[2] == numbers[1:]:
-                numbers = last[2]  # at the common end the fold is behind
-            if last is not None and joined and last[2] == numbers:
-                stretches[-1] = (last[0], column.upper, numbers)
+            if k in joints and stretches[-1][2] == numbers:
+                stretches[-1] = (stretches[-1][0], column.upper, numbers)
             else:
                 stretches.append((column.lower, column.upper, numbers))
         return stretches
+
+    def _numbers(self, column: Column) -> tuple[int, ...]:
+        numbers = numbers_of_zeros(column, self.lower, self.upper)
+        assert numbers is not None
+        return numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +153,8 @@ class ZeroMap(NoTruthValue, Written):
             f"the number of real zeros of {SYSTEM} for every β in ({self.beta[0]}, {self.beta[1]}) that is not an "
             f"integer and {span}"
         )
+        if any(len(numbers) == 2 for row in self.rows for _, _, numbers in row.stretches()):
+            question += " (two numbers where a fold may lie)"
         left = sum(len(row.unfinished) for row in self.rows)
         if left:
             return Verdict.undecided(
@@ -144,14 +179,17 @@ class ZeroMap(NoTruthValue, Written):
         if self.beta[0] < THEOREM_UP_TO:
             lines.append(f"  β < 4, every ε > 0, by theorem: {_law_below_4(self.beta)}")
         for row in self.rows:
-            parts = [f"{_numbers_text(numbers)} on ({a}, {b})" for a, b, numbers in row.stretches()]
+            parts = [f"{_numbers_text(one)} on ({one.beta[0]}, {one.beta[1]})" for one in row.stretch_rows]
             parts += [f"? on ({a}, {b})" for a, b in _joined(row.unfinished)]
             begin = "(" if row.lower == 0 else "["  # at ε = 0 nothing is stated
             lines.append(f"  ε in {begin}{short_text(row.lower)}, {short_text(row.upper)}]: " + ", ".join(parts))
-        if any(len(numbers) == 2 for row in self.rows for _, _, numbers in row.stretches()):
+        folds = {one.fold_inside for row in self.rows for one in row.stretch_rows if len(one.numbers) == 2}
+        if True in folds:
             lines.append(
-                "  a | b on a range: at each ε there is one β_f; a zeros for β < β_f, b for β > β_f (in the range)"
+                "  a | b on a range: at each ε there is one β_f inside of it; a zeros for β < β_f, b for β > β_f"
             )
+        if False in folds:
+            lines.append("  a or b on a range: a zeros for β < β_f, b for β > β_f, but β_f may lie outside of it")
         return "\n".join(lines)
 
 
@@ -275,6 +313,11 @@ def _rows(lower: fmpq, upper: fmpq) -> list[tuple[fmpq, fmpq]]:
     return list(pairwise(ends))
 
 
+def _joined_inside(one: Column, two: Column) -> bool:
+    """Whether the one ends where the other begins, inside one cell."""
+    return one.upper == two.lower and one.upper.q != 1
+
+
 def _joined(ranges: Sequence[tuple[fmpq | None, fmpq]]) -> list[tuple[fmpq | None, fmpq]]:
     """Ranges in their order, neighbours as one."""
     joined: list[tuple[fmpq | None, fmpq]] = []
@@ -294,5 +337,5 @@ def _law_below_4(beta: tuple[fmpq, fmpq]) -> str:
     )
 
 
-def _numbers_text(numbers: tuple[int, ...]) -> str:
-    return " | ".join(map(str, numbers))
+def _numbers_text(stretch: Stretch) -> str:
+    return (" | " if stretch.fold_inside else " or ").join(map(str, stretch.numbers))

@@ -22,6 +22,7 @@ from gspot_verified.compliant.zeros.zero_count import slow_zeros
 from gspot_verified.compliant.zeros.zero_map import Row, ZeroMap, examine, least_work, zero_map
 from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.signs.cover.journal import _to_json
 from gspot_verified.signs.cover.pieces import Column, ColumnPiece, Kind
 from gspot_verified.work.ranges import Range
 
@@ -128,6 +129,98 @@ def test_from_a_column_beyond_the_fold_there_is_no_way_back() -> None:
     assert numbers(second, Column(fmpq(39, 4), fmpq(10), plain + rest)) == [(5, 3), (3,)]
     before = Column(ends[0], ends[1], (plain[0], *fold[1:], *rest[:2], ColumnPiece(Kind.RIGHT, fmpq(4), None, 0)))
     assert numbers(before, Column(ends[1], fmpq(37, 4), fold + rest))[-1] == (5, 3)
+
+
+def test_before_a_column_with_both_there_is_no_fold_yet() -> None:
+    """A column (3, 1) has 3 if one of 3 zeros begins where it ends; not across an integer, nor across a gap."""
+    numbers = {(0, 1): (3, 1), (1, 2): (3, 1), (2, 3): (3,), (3, 4): (3, 1), (4, 5): (1,), (6, 7): (3, 1), (8, 9): (3,)}
+    assert told(numbers, 5) == [(0, 3, (3,)), (3, 4, (3, 1)), (4, 5, (1,)), (6, 7, (3, 1)), (8, 9, (3,))]
+    across = {(14, 15): (3, 1), (15, 16): (3, 1), (16, 17): (3,)}
+    assert told(across, 5) == [(14, 16, (3, 1)), (16, 17, (3,))]
+
+
+def told(numbers: dict[tuple[int, int], tuple[int, ...]], start: int) -> list[tuple[int, int, tuple[int, ...]]]:
+    return [(a, b, each) for a, b, each, _ in told_of_folds(numbers, start)]
+
+
+def told_of_folds(
+    numbers: dict[tuple[int, int], tuple[int, ...]], start: int
+) -> list[tuple[int, int, tuple[int, ...], bool]]:
+    """The stretches at epsilon = 1 of columns whose ends are counted in sixteenths from ``start``, an integer, from
+    which on there is one zero in the tail; whether a fold is said to lie in them."""
+    tails = {ends: (ColumnPiece(Kind.RIGHT, fmpq(1), None, int(ends[0] == 0)),) for ends in numbers}
+    columns = tuple(Column(start + fmpq(a, 16), start + fmpq(b, 16), tails[a, b]) for a, b in numbers)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(module, "numbers_of_zeros", lambda column, *_: numbers[ends_of(column, start)])
+        found = Row(fmpq(1), fmpq(1), columns, ()).stretch_rows
+    ends = [[int(16 * (end - start)) for end in one.beta] for one in found]
+    return [(a, b, one.numbers, one.fold_inside) for (a, b), one in zip(ends, found, strict=True)]
+
+
+@pytest.mark.parametrize(
+    ("numbers", "inside"),
+    [
+        ({(1, 2): (3,), (2, 3): (3, 1), (3, 4): (1,)}, True),
+        ({(1, 2): (3,), (2, 3): (3, 1), (4, 5): (1,)}, False),
+        ({(0, 1): (3,), (2, 3): (3, 1), (3, 4): (1,)}, False),
+        ({(2, 3): (3, 1), (3, 4): (1,)}, False),
+        ({(1, 2): (3,), (2, 3): (3, 1)}, False),
+        ({(0, 1): (3, 1), (1, 2): (1,)}, True),  # F_4 has two zeros, and one more comes in from +inf
+        ({(0, 1): (4, 2), (1, 2): (2,)}, False),
+        ({(14, 15): (3,), (15, 16): (3, 1)}, True),  # F_5 has one
+        ({(14, 15): (4,), (15, 16): (4, 2)}, False),
+        ({(0, 16): (3, 1)}, True),
+    ],
+)
+def test_where_a_fold_lies(numbers: dict[tuple[int, int], tuple[int, ...]], inside: bool) -> None:
+    """By what ends where a stretch with two numbers begins and ends, and by the polynomials F_4 and F_5 there."""
+    assert [one[3] for one in told_of_folds(numbers, 5) if len(one[2]) == 2] == [inside]
+
+
+def ends_of(column: Column, start: int) -> tuple[int, int]:
+    assert column.lower is not None
+    return int(16 * (column.lower - start)), int(16 * (column.upper - start))
+
+
+@pytest.mark.parametrize(
+    ("beta", "true"), [("5670236/1000000..5670238/1000000", 3), ("5670240/1000000..5670242/1000000", 1)]
+)
+def test_a_fold_next_to_the_range_is_not_said_to_lie_in_it(beta: str, true: int) -> None:
+    """epsilon = 1: beta_f = 5.6702389. A column across the fold is found there too; it does not tell the side."""
+    found = zero_map(beta, "1")
+    [stretch] = found.rows[0].stretch_rows
+    assert slow_zeros(found.beta[0], 1, 2).number == true
+    assert stretch.numbers == (3, 1)
+    assert not stretch.fold_inside
+    assert "3 or 1 on" in str(found)
+    assert "β_f may lie outside of it" in str(found)
+    assert "inside of it" not in str(found)
+    assert "two numbers" in found.verdict.statement
+
+
+def test_a_fold_between_ranges_with_both_numbers_lies_in_its_own() -> None:
+    found = zero_map("45/8..47/8", "1")
+    stretches = found.rows[0].stretch_rows
+    assert [(stretch.numbers, stretch.fold_inside) for stretch in stretches] == [((3, 1), False), ((1,), False)]
+    found = zero_map("11/2..47/8", "1")
+    stretches = found.rows[0].stretch_rows
+    assert [(each.numbers, each.fold_inside) for each in stretches] == [((3,), False), ((3, 1), True), ((1,), False)]
+    assert "3 | 1 on (45/8, 23/4)" in str(found)
+    assert "there is one β_f inside of it" in str(found)
+    assert "may lie outside" not in str(found)
+
+
+def test_a_journal_by_hand_cannot_place_a_fold(tmp_path: Path) -> None:
+    """The true column across the fold, for a range before it."""
+    beta, ends = "565/100..566/100", (fmpq(113, 20), fmpq(283, 50))
+    column = fold_column(*ends, 4, fmpq(1), fmpq(1), fmpq(1, 128))
+    assert column is not None
+    zero_map(beta, "1", budget=0, journal=tmp_path / "map")
+    with (tmp_path / "map.0").open("a", encoding="utf-8") as file:
+        file.write(json.dumps([*map(str, ends), _to_json(column)]) + "\n")
+    found = zero_map(beta, "1", journal=tmp_path / "map")
+    [stretch] = found.rows[0].stretch_rows
+    assert stretch.numbers == (3,) or not stretch.fold_inside
 
 
 def test_rows_cover_the_range_and_are_joined() -> None:
