@@ -36,6 +36,10 @@ EXTENDED = {
 """xdot, udot, newex1 to newex5: the rates, that of z times ε; ε² λ_N = z - y."""
 MOTIVATING = {"p": "alpha1", "b": "alpha2 - alpha3*lam", "y": "v", "v": "b + p*lam", "z": "-z - (z - y)"}
 """modelsys1 to modelsys5, as EXTENDED."""
+REPLACED = {"b": ("alpha3*lam", "alpha3*lp"), "v": ("p*lam", "p*lp + q*lm")}
+"""Lines 640 to 646: the term of modelsys2 and of modelsys4, and what takes its place."""
+FIRST = "alpha1 + chi*b"
+"""Line 663: what takes the place of α_1*."""
 NORMAL = "pbyvz"
 TANGENTIAL = "xu"
 FORCE = "k2*(z - y)"
@@ -154,6 +158,54 @@ def _contact_part() -> Entry:
             fault="their contribution to db/dt is -α_3* λ⁺",
         ),
         corrected="The part is -α_3* λ⁺",
+    )
+
+
+def by_replacing(parts: Parts) -> list[fmpq_mpoly]:
+    """modelsys1 to modelsys5 with the printed terms replaced."""
+    shares = {name: ALGEBRA.read(text) for name, text in SHARES.items()}
+    found = []
+    for name in NORMAL:
+        rate = ALGEBRA.substitute(ALGEBRA.read(MOTIVATING[name]), {"alpha1": ALGEBRA.read(FIRST)})
+        if name in REPLACED:
+            old, new = (ALGEBRA.read(term) for term in REPLACED[name])
+            free = ALGEBRA.substitute(rate, {"lam": ALGEBRA.constant(0)})
+            sign = 1 if rate - free == old else -1
+            found.append(rate - free - sign * old)
+            rate = free + sign * ALGEBRA.substitute(new, shares)
+        found.append(rate - parts[name])
+    return found
+
+
+def by_the_two_slips(parts: Parts) -> list[fmpq_mpoly]:
+    """All are affine in c; at c = 1 those of the first example, with χ b in the rate of p.
+
+    At c = 0 they are the same but for the forces: none in the rate of b, and p⁻ λ_N in that of v.
+    """
+    first = {name: ALGEBRA.read(MOTIVATING[name]) for name in NORMAL}
+    first["p"] += _SYMBOLS["chi"] * _SYMBOLS["b"]
+    backwards = {**first, "b": _SYMBOLS["alpha2"], "v": ALGEBRA.read("b + q*lam")}
+    found = [parts[name].derivative("c").derivative("c") for name in NORMAL]
+    for share, wanted in ((1, first), (0, backwards)):
+        at_share = {"c": ALGEBRA.constant(share)}
+        found += [ALGEBRA.substitute(parts[name], at_share) - value for name, value in wanted.items()]
+    return found
+
+
+def _extended_equations() -> Entry:
+    this = Claim(ALGEBRA, EXTENDED)
+    return SECTION.settled(
+        "2-extended-equations",
+        "eqs. newex1 to newex5, lines 639 to 678",
+        r"\dot p=\alpha_1^*+\chi b,\ \dot b=\alpha_2^*-c\alpha_3^*\lambda_N,\ \dot y=v,\ "
+        r"\dot v=b+pc\lambda_N+p^-(1-c)\lambda_N,\ \epsilon\dot z=-z-\epsilon^2\lambda_N",
+        "With α_1* + χ b for α_1*, α_3* λ⁺ for α_3* λ_N and p λ⁺ + p⁻ λ⁻ for p λ_N, where λ⁺ = c λ_N and "
+        "λ⁻ = (1 - c) λ_N, eqs. modelsys1 to modelsys5 are eqs. newex1 to newex5; so the part of dv/dt that depends on "
+        "contact is p λ⁺ + p⁻ λ⁻",
+        this.check("the terms of modelsys1 to modelsys5 replaced, for every c", by_replacing),
+        this.check("affine in c, with the values of positive slip at c = 1, of negative slip at 0", by_the_two_slips),
+        note="The part of db/dt that depends on contact is -α_3* λ⁺: 2-contact-part. That these equations are those of "
+        "the printed fields: 2-extended.",
     )
 
 
@@ -361,6 +413,7 @@ ENTRIES: Builders = {
     "2-two-forces": _two_forces,
     "2-contact-part": _contact_part,
     "2-coupling": _coupling,
+    "2-extended-equations": _extended_equations,
     "2-signs-at-p-0": _signs,
 }
 """Sentences of Sec. 2."""

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gspot_verified.paper.checks.identities import Route
 from gspot_verified.paper.section_2 import section_2_sentences as ledger
 
 _POSITIVE = st.fractions(min_value="1/50", max_value=50)
@@ -51,6 +52,28 @@ def test_a_force_of_the_cone_is_a_sum_of_two(friction: float, normal: float, par
     assert friction * (backward - forward) == tangential
     assert (forward == normal) is (part == -1)
     assert (forward == 0) is (part == 1)
+
+
+@pytest.mark.parametrize("route", [ledger.by_replacing, ledger.by_the_two_slips])
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("p", "2*alpha1 + chi*b"), ("p", "alpha1 + chi*y"), ("p", "alpha1"), ("b", "alpha2 + c*alpha3*lam"),
+        ("b", "alpha2 - alpha3*lam"), ("b", "alpha2 - c^2*alpha3*lam"), ("y", "v + p"), ("v", "b + p*lam"),
+        ("v", "b + p*c*lam + q*c*lam"), ("v", "p*c*lam + q*(1 - c)*lam"), ("z", "-z"),
+    ],
+)  # fmt: skip
+def test_other_equations_of_the_extended_example(route: Route, name: str, text: str) -> None:
+    parts = {key: ledger.ALGEBRA.read(value) for key, value in ledger.EXTENDED.items()}
+    assert all(value.is_zero() for value in route(parts))
+    assert not all(value.is_zero() for value in route({**parts, name: ledger.ALGEBRA.read(text)}))
+
+
+@pytest.mark.parametrize(("name", "term"), [("b", "alpha2*lam"), ("b", "p*lam"), ("v", "2*p*lam")])
+def test_a_term_that_is_not_there_is_not_replaced(monkeypatch: pytest.MonkeyPatch, name: str, term: str) -> None:
+    monkeypatch.setitem(ledger.REPLACED, name, (term, ledger.REPLACED[name][1]))
+    parts = {key: ledger.ALGEBRA.read(value) for key, value in ledger.EXTENDED.items()}
+    assert not all(value.is_zero() for value in ledger.by_replacing(parts))
 
 
 def test_two_forces() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from paper.bite import Bite, NotApplicable, Teeth, raised, replaced, scaled, unseen_at
+from paper.bite import GENERIC, Bite, NotApplicable, Teeth, raised, replaced, scaled, unseen_at
 
 from gspot_verified.paper.section_2 import lagrangian
 from gspot_verified.paper.section_2 import section_2_sentences as ledger
@@ -58,6 +58,14 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.EXTENDED, "p", unseen_at("u", (0, 1))),
         Bite("hypothesis", ledger.EXTENDED, "p", replaced("chi*b", "chi*u")),
         NotApplicable("order", _PRESENCE),
+    ),
+    "2-extended-equations": (
+        Bite("factor", ledger.EXTENDED, "v", replaced("q*", f"{GENERIC}*q*"), refutes=True),
+        Bite("hidden factor", ledger.EXTENDED, "b", unseen_at("c", (0, 1)), refutes=True),
+        Bite("hypothesis", ledger.REPLACED, "v", lambda honest: (honest[0], "p*lp + p*lm")),
+        Bite("hypothesis", ledger.REPLACED, "b", lambda honest: ("p*lam", honest[1])),
+        Bite("hypothesis", ledger, "FIRST", lambda _: "alpha1"),
+        Bite("order", ledger.EXTENDED, "p", replaced("chi*b", "chi^2*b"), refutes=True),
     ),
     "2-signs-at-p-0": (
         Bite("factor", ledger.OTHER, "k^+", replaced("mu*A", "1000003/1000000*mu*A")),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from paper.typed.row import CONSTANTS, QUOTIENT, Row, jets, of_side, order_of, rows
 
 from gspot_verified.paper.section_1 import section_1_cases, section_1_rigid
-from gspot_verified.paper.section_2 import general_system, lagrangian
+from gspot_verified.paper.section_2 import general_system, lagrangian, section_2_contact, section_2_sentences
 from gspot_verified.paper.section_4 import (
     section_4_fast,
     section_4_inner,
@@ -48,6 +48,21 @@ def _section_1_and_2() -> list[Row]:
         CONSTANTS | {rf"\alpha_{k}^*": f"alpha{k}" for k in (1, 2, 3)} | {r"\lambda_N": "r"},
         *((part, 592 + k, 592 + k, 0, of_side(1)) for k, part in enumerate("pbyv")),
     )
+    of_contact = CONSTANTS | {r"\lambda_N": "((z-y)/epsilon^2)"}
+    examples = (
+        (section_2_sentences.MOTIVATING, (592, 593, 594, 595, 596)),
+        (
+            section_2_sentences.EXTENDED,
+            (669, 670, 672, 673, 674),
+        ),
+    )
+    for table, lines in examples:
+        for part, line in zip("pbyvz", lines, strict=True):
+            read = of_contact if part == "z" else CONSTANTS | {"p^-": "q"}
+            found.append(Row("2-extended-equations", part, table, line, line, 0, of_side(1), read))
+    contact = {"2-compliant": section_2_contact.COMPLIANT}
+    for line in (576, 596):
+        found += rows("2-compliant", contact, CONSTANTS, ("z", line, line, 0, of_side(1)))
     forced = CONSTANTS | {rf"\alpha_{k}(\xi)": f"alpha{k}" for k in (1, 2, 3)}
     for entry, table, read, first, last in (
         ("1-rescaled", section_1_rigid.RATES, forced, (486, 488), (489, 491)),
