@@ -41,6 +41,7 @@ from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end,
 from gspot_verified.expansion.true_solutions.track import track
 from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, exact, working_bits
 from gspot_verified.numbers.evidence import differ, every
+from gspot_verified.numbers.inner_text import inner_text
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -58,7 +59,8 @@ _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 
 @dataclass(frozen=True)
 class ChartedWay:
-    """With a chart: ``cone`` holds p, b, y, v from all starts up to the hand-over, ``starts`` their states."""
+    """With a chart: ``cone`` holds p, b, y, v from all starts up to the hand-over, ``starts`` their states: those of
+    its box ``around`` with these p, b, y, v."""
 
     cone: Cone
     starts: Region
@@ -170,8 +172,8 @@ def _way(start: AffineStart, chart: Chart, cones: Sequence[Cone]) -> ChartedWay 
 
 
 def _box_text(chart: Chart, region: Region) -> str:
-    parts = zip(chart.system.names, region.states, strict=True)
-    return ", ".join(f"{name} in {ball_text(value)}" for name, value in parts)
+    parts = zip(chart.system.names, region.around, strict=True)
+    return ", ".join(f"{name} in {inner_text(value)}" for name, value in parts)
 
 
 def _level(system: AffineSystem, most: fmpq) -> fmpq:
@@ -287,11 +289,16 @@ def _system_text(system: AffineSystem) -> str:
 
 
 def states_text(start: AffineStart) -> str:
-    """The set of states in words."""
-    sharper = "" if start.quotient is None else f", -b/p = {_text(start.quotient)}"
+    """The set of states in words; with a chart p, b are any of their balls, and what is printed lies in these."""
+    of_set = start.manifold.system.chart is not None
+    p, b, force, excess = (
+        f"in {inner_text(value)}" if of_set and isinstance(value, arb) else f"= {_text(value)}"
+        for value in (start.p, start.b, start.force, start.excess)
+    )
+    sharper = "" if start.quotient is None else f", -b/p {force}"
     return (
-        f"every start in contact at p = {_text(start.p)}, b = {_text(start.b)}{sharper} with "
+        f"every start in contact at p {p}, b {b}{sharper} with "
         f"|lambda_N + b/p| <= {start.within} |L|, "
         f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {start.within} sqrt(p) |L|, "
-        f"L = {_text(start.excess)}, {Contact.of(start.manifold.system.regularisation).fast_text}"
+        f"L {excess}, {Contact.of(start.manifold.system.regularisation).fast_text}"
     )

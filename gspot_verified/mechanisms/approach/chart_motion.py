@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from flint import arb
 
@@ -26,8 +27,9 @@ from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
-from gspot_verified.numbers.balls import add_remainder, ball_text, working_bits
-from gspot_verified.numbers.evidence import every, in_interior
+from gspot_verified.numbers.balls import add_remainder, ball, ball_text, working_bits
+from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.inner_text import in_inner_interval
 from gspot_verified.numbers.verdict import Reason, Verdict
 
 _ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is right
@@ -55,7 +57,8 @@ def with_chart(found: MechanismSide, mechanism: Mechanism, spot: int | None = No
     except (ValueError, ZeroDivisionError):  # beside the theorem: nothing is said
         return found
     with working_bits(place.bits):
-        explicit = _checked(place.shifted, explicit, active, path.states[number])
+        at = _At(path.p[number], path.b[number], path.force[number], path.states[number])
+        explicit = _checked(place.shifted, explicit, active, at)
     time = ball_text(path.time[number], 6)
     return replace(found, explicit=explicit, reached=time)
 
@@ -102,12 +105,24 @@ def restricted(place: GSpot, active: Sequence[int]) -> System:
     )
 
 
-def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], state: Sequence[arb]) -> AffineSide:
-    """The same, if the state of the path is one of the starts, and the mechanism's hypotheses hold on the way."""
+class _At(NamedTuple):
+    """Rigid slip at one time."""
+
+    p: arb
+    b: arb
+    force: arb
+    state: Sequence[arb]
+
+
+def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], at: _At) -> AffineSide:
+    """The same, if the state of the path is one of the starts as they are written, and the mechanism's hypotheses hold
+    on the way."""
     system, way = side.start.manifold.system, side.way
     if way is None or system.chart is None or side.verdict.evidence is None:
         return side
-    among = every(in_interior(state[i], box) for i, box in zip(active, way.starts.states, strict=True))
+    written = [*(ball(one) for one in (side.start.p, side.start.b, side.start.force)), *way.starts.around]
+    path = [at.p, at.b, at.force, *(at.state[i] for i in active)]
+    among = every(in_inner_interval(value, one) for value, one in zip(path, written, strict=True))
     if among is None:
         return _open(side, "the state of rigid slip is not certainly among the starts")
     hypotheses, shown = SlipHypotheses(shifted), [side.verdict.evidence, among]

@@ -30,7 +30,8 @@ from gspot_verified.mechanisms.own_state.fast_norm import FastNorm
 from gspot_verified.mechanisms.own_state.rigid_way import WayPart, rigid_way
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.numbers.balls import ball, ball_text, exact, working_bits
-from gspot_verified.numbers.evidence import every, in_interior, inside, less
+from gspot_verified.numbers.evidence import every, less
+from gspot_verified.numbers.inner_text import in_inner_interval
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
 _STARTS = OwnStarts(beside=fmpq(1), share=fmpq(1, 2))  # any numbers are right
@@ -105,11 +106,11 @@ class _Question:
         largest = ball(start.within) * own * abs(ball(start.excess))
         states = _narrowed(SlipNumbers(self.flow), tube, active)
         conditions = {
-            f"p = {_text(own)} lies in {_text(p)}": inside(own, p),
-            f"-b/p = {_text(tube.force)} lies in {_text(force)}": inside(tube.force, force),
-            f"b = {_text(b)} lies in {_text(ball(start.b))}": inside(b, ball(start.b)),
+            f"p = {_text(own)} lies in {_text(p)}": in_inner_interval(own, p),
+            f"-b/p = {_text(tube.force)} lies in {_text(force)}": in_inner_interval(tube.force, force),
+            f"b = {_text(b)} lies in {_text(ball(start.b))}": in_inner_interval(b, ball(start.b)),
             f"the fast part {_text(tube.fast)} is less than {_text(largest)}": less(tube.fast, largest),
-            "the state is one of the chart": every(map(in_interior, states, way.starts.states)),
+            "the state is one of the chart": every(map(in_inner_interval, states, way.starts.around)),
         }
         failed = [name for name, shown in conditions.items() if shown is None]
         on_way = self._on_way(tube)

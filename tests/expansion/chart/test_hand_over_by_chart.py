@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 
 import pytest
@@ -12,7 +14,15 @@ from flint import arb, arb_mat, fmpq
 
 from gspot_verified.expansion.chart.chart import Chart
 from gspot_verified.expansion.from_state.affine_hand_over import _slopes, affine_hand_over
-from gspot_verified.expansion.from_state.affine_side import _manifold, _prepared, _tube, _way, affine_side
+from gspot_verified.expansion.from_state.affine_side import (
+    _box_text,
+    _manifold,
+    _prepared,
+    _tube,
+    _way,
+    affine_side,
+    states_text,
+)
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube
 from gspot_verified.expansion.from_state.hand_over import HandOver
@@ -21,7 +31,7 @@ from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.functions.expressions import Constant, Expression
-from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.numbers.balls import add_remainder, ball, working_bits
 from tests.expansion.chart.folded import B, P, charted, folded
 
 HALF, DELTA, PLACE = fmpq(1, 2), fmpq(1, 400), fmpq(5)
@@ -168,6 +178,30 @@ def test_the_starts_are_states_of_the_chart() -> None:
         assert _way(beyond, chart, [tube.cone]) is None
 
 
+def test_the_starts_that_are_written_are_among_those_of_the_proof() -> None:
+    """p, b, L and the state: as written they are no wider than the balls, by whose text they were up to six times."""
+    start, tube, _, _ = handed("chart")
+    with working_bits(128):
+        chart = BY_CHART.chart
+        assert chart is not None
+        p, b = (add_remainder(ball(value), abs(ball(value)) * arb((1, -20))) for value in (start.p, start.b))
+        quotient = add_remainder(ball(start.force), ball(start.force) * arb((1, -22)))
+        wide = replace(start, p=p, b=b, quotient=quotient)
+        way = _way(wide, chart, [tube.cone])
+        assert way is not None
+        text = f"{states_text(wide)}; {_box_text(chart, way.starts)}"
+        written = [[Fraction(end) for end in pair] for pair in re.findall(r" in \[([^,]+), ([^\]]+)\]", f" {text}")]
+        balls = [p, b, quotient, ball(wide.excess), *way.starts.around]
+        assert len(written) == len(balls)
+        for (lower, upper), value in zip(written, balls, strict=True):
+            for end in (lower, upper):
+                assert value.contains(ball(fmpq(end.numerator, end.denominator)).mid())
+            assert ball(fmpq(upper.numerator, upper.denominator)) - ball(
+                fmpq(lower.numerator, lower.denominator)
+            ) > value.rad() * arb("1.9")
+        assert all(map(arb.contains_interior, way.starts.around, way.starts.states))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("excess", "side"), [(HALF, "lift-off"), (-HALF, "impact")])
 def test_the_side_is_that_of_the_plain_system(excess: fmpq, side: str) -> None:
@@ -177,4 +211,4 @@ def test_the_side_is_that_of_the_plain_system(excess: fmpq, side: str) -> None:
     assert plain.epsilon / 8 < by_chart.epsilon <= plain.epsilon * 8
     assert plain.way is None
     assert by_chart.way is not None
-    assert " and the state in x in [0.005" in by_chart.verdict.statement
+    assert " and the state in x in [0.00" in by_chart.verdict.statement

@@ -15,7 +15,7 @@ from gspot_verified.expansion.chart.cone import Cone
 from gspot_verified.expansion.from_state.affine_side import AffineSide, ChartedWay
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.approach import chart_motion as module
-from gspot_verified.mechanisms.approach.chart_motion import _charted, _checked, restricted, with_chart
+from gspot_verified.mechanisms.approach.chart_motion import _At, _charted, _checked, restricted, with_chart
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
 from gspot_verified.mechanisms.derive.slip_hypotheses import FRICTION, SlipHypotheses
 from gspot_verified.mechanisms.load import load
@@ -80,8 +80,9 @@ def near_side(states: list[arb]) -> tuple[AffineSide, list[int]]:
     with working_bits(256):
         system = _charted(Chart(restricted(spot(), [0, 1, 2, 3])))
         cone = Cone(fmpq(0), fmpq(1, 1000), fmpq(33, 10), fmpq(1, 4), fmpq(1, 4), fmpq(1, 4))
-        region = Region((), (), tuple(states), None, SHOWN)  # type: ignore[arg-type]
-        start = SimpleNamespace(manifold=SimpleNamespace(system=system))
+        region = Region((), tuple(states), (), None, SHOWN)  # type: ignore[arg-type]
+        numbers = {"p": arb("0.001", "1e-6"), "b": arb("-0.003", "1e-6"), "force": arb(3, "1e-4")}
+        start = SimpleNamespace(manifold=SimpleNamespace(system=system), **numbers)
         proved = Verdict.proved("so", SHOWN)
         side = AffineSide(start, fmpq(1), "impact", proved, ChartedWay(cone, region))  # type: ignore[arg-type]
         return side, [0, 1, 2, 3]
@@ -91,15 +92,22 @@ STATES = [arb("0.1", "0.01"), arb("0.2", "0.01"), arb("0.3", "0.01"), arb("0.4",
 INSIDE = [arb("0.1"), arb("0.205"), arb("0.3"), arb("0.4")]
 
 
+def at(state: list[arb], p: str = "0.001", b: str = "-0.003", force: str = "3") -> _At:
+    return _At(arb(p), arb(b), arb(force), state)
+
+
 def test_the_state_of_rigid_slip_must_be_a_start() -> None:
     side, active = near_side(STATES)
     with working_bits(256):
-        assert _checked(spot().shifted, side, active, INSIDE).side == "impact"
+        assert _checked(spot().shifted, side, active, at(INSIDE)).side == "impact"
         for outside in (arb("0.22"), arb("0.205", "0.01"), arb("nan")):
-            found = _checked(spot().shifted, side, active, [INSIDE[0], outside, *INSIDE[2:]])
+            found = _checked(spot().shifted, side, active, at([INSIDE[0], outside, *INSIDE[2:]]))
             assert found.side is None
             assert found.verdict.outcome is Outcome.UNDECIDED
             assert found.verdict.detail == "the state of rigid slip is not certainly among the starts"
+        outside_of_one = [("0.001002", "-0.003", "3"), ("0.001", "-0.0030010001", "3"), ("0.001", "-0.003", "3.0002")]
+        for numbers in [*outside_of_one, ("nan", "-0.003", "3")]:
+            assert _checked(spot().shifted, side, active, at(INSIDE, *numbers)).side is None
 
 
 def test_the_hypotheses_are_asked_on_the_whole_way(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -112,28 +120,28 @@ def test_the_hypotheses_are_asked_on_the_whole_way(monkeypatch: pytest.MonkeyPat
 
     monkeypatch.setattr(SlipHypotheses, "checked", refused)
     with working_bits(256):
-        found = _checked(spot().shifted, side, active, INSIDE)
+        found = _checked(spot().shifted, side, active, at(INSIDE))
         assert (found.side, found.verdict.detail) == (None, FRICTION)
         assert len(seen) == 7
         seen.clear()
         monkeypatch.setattr(SlipHypotheses, "checked", lambda self, box: seen.append(list(box)) or own(self, box))
-        assert _checked(spot().shifted, side, active, INSIDE).side == "impact"
+        assert _checked(spot().shifted, side, active, at(INSIDE)).side == "impact"
         star = [ball(value) for value in spot().system.point]
         assert any(all(map(arb.contains, box, star)) for box in seen)
         assert len(seen) > 7
     wide = replace(side, way=replace(side.way, cone=replace(side.way.cone, last=fmpq(1))))  # type: ignore[union-attr, type-var]
     with working_bits(256):
-        detail = _checked(spot().shifted, wide, active, INSIDE).verdict.detail
+        detail = _checked(spot().shifted, wide, active, at(INSIDE)).verdict.detail
         assert detail == "p, b, y, v are not certainly coordinates of the state on the way"
         monkeypatch.setattr(SlipHypotheses, "components", frozenset({0, 9}))
-        more = _checked(spot().shifted, side, active, INSIDE).verdict.detail
+        more = _checked(spot().shifted, side, active, at(INSIDE)).verdict.detail
         assert more == "the hypotheses on the mechanism depend on further components"
 
 
 def test_an_undecided_side_stays_so() -> None:
     side, active = near_side(STATES)
     undecided = replace(side, way=None)
-    assert _checked(spot().shifted, undecided, active, INSIDE) is undecided
+    assert _checked(spot().shifted, undecided, active, at(INSIDE)) is undecided
 
 
 def test_what_has_no_side_or_an_epsilon_already_is_left_alone() -> None:

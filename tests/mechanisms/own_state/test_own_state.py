@@ -41,7 +41,7 @@ def rigid() -> MechanismSide:
 def asked(bound: fmpq = BOUND, states: dict[str, arb] | None = None, **start: Any) -> MechanismSide:
     """A family of starts near p = 1/4, as if something had been proved of it."""
     whole = {"p": P, "b": -FORCE * P, "force": FORCE, "excess": arb("1.4", "0.1"), "within": fmpq(1, 100)} | start
-    region = Region((), (), tuple((STATES | (states or {})).values()), None, SHOWN)  # type: ignore[arg-type]
+    region = Region((), tuple((STATES | (states or {})).values()), (), None, SHOWN)  # type: ignore[arg-type]
     side = AffineSide(
         SimpleNamespace(**whole), bound, "lift-off", Verdict.proved("so", SHOWN), ChartedWay(None, region)  # type: ignore[arg-type]
     )  # fmt: skip
