@@ -182,7 +182,7 @@ def float_run(
     _check(scene, method, tolerance, points)
     asked = {"method": method, "tolerance": tolerance, "points": points}
     kept = None if journal is None else RunJournal(journal, question(scene, asked))
-    pieces = [] if kept is None else [_kept_piece(data, kept.path) for data in kept.pieces]
+    pieces = [] if kept is None else [_kept_piece(data, kept.path, scene) for data in kept.pieces]
     cuts = 1 if kept is None else PIECES
     for piece in _pieces(scene, method, tolerance, points, pieces[-1] if pieces else None, cuts):
         pieces.append(piece)
@@ -216,14 +216,28 @@ def unchecked(scene: Scene) -> tuple[Assumption, ...]:
     )
 
 
-def _kept_piece(data: Any, path: Path) -> SolverPiece:
+def _kept_piece(data: Any, path: Path, scene: Scene) -> SolverPiece:
     try:
         piece = SolverPiece(**data)
-        if not (all(math.isfinite(x) for row in piece.rows for x in row) and math.isfinite(piece.time)):
+        numbers = [piece.time, *piece.state.values(), *(x for row in piece.rows for x in row)]
+        if not all(math.isfinite(x) for x in numbers):
             raise ValueError("not a finite number")
-    except (TypeError, ValueError) as error:
+        if not all(isinstance(word, str) or word is None for word in (piece.event, piece.next_phase)):
+            raise ValueError("not a name")
+        _check_names(scene, piece)
+    except (TypeError, ValueError, AttributeError) as error:
         raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
     return piece
+
+
+def _check_names(scene: Scene, piece: SolverPiece) -> None:
+    phases = scene.phases()
+    if piece.phase not in phases or piece.next_phase not in (*phases, None):
+        raise ValueError("a phase that the scene has not")
+    if not set(scene.scaled_initial()) <= set(piece.state):
+        raise ValueError("a state without a component of the scene")
+    if {len(row) for row in piece.rows} - {1 + len(scene.system(piece.phase).read_out)}:
+        raise ValueError("a row of another length")
 
 
 def _check(scene: Scene, method: str, tolerance: float, points: int | None) -> None:

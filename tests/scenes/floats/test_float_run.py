@@ -273,27 +273,32 @@ def test_slip_that_turns_round_is_called_so() -> None:
         assert (piece.event, piece.next_phase) == (name, following)
 
 
-PIECE = SolverPiece("slip", [[0.0, 1.0], [1.0, 2.0]], 3.0, {"b": 1.0}, None, "slip")
+PAPERS = load_scene("fig-varsim1")
+PIECE = SolverPiece("slip", [[0.0] * 7, [1.0] * 7], 3.0, dict.fromkeys(PAPERS.scaled_initial(), 1.0), None, "slip")
 
 
 def test_a_piece_of_a_journal_is_read_as_it_was_written() -> None:
-    assert _kept_piece(asdict(PIECE), Path("x")) == PIECE
+    for piece in (PIECE, replace(PIECE, event="lift-off", next_phase=None), replace(PIECE, rows=[])):
+        assert _kept_piece(asdict(piece), Path("x"), PAPERS) == piece
 
 
 @pytest.mark.parametrize(
     "change",
-    [{"rows": [[0.0, math.nan]]}, {"rows": [[0.0], [math.inf]]}, {"time": math.nan}, {"time": math.inf},
-     {"rows": 3}, {"rows": [["a"]]}, {"time": "late"}, {"surprise": 1}],
+    [{"rows": [[0.0] * 6 + [math.nan]]}, {"rows": [[0.0] * 7, [math.inf] * 7]}, {"time": math.nan}, {"time": math.inf},
+     {"rows": 3}, {"rows": [["a"] * 7]}, {"rows": [[0.0] * 7, [0.0] * 6]}, {"time": "late"}, {"surprise": 1},
+     {"event": 1}, {"event": True}, {"event": ["lift-off"]}, {"phase": "slide"}, {"phase": 1}, {"phase": []},
+     {"next_phase": "slide"}, {"next_phase": 0}, {"state": 1}, {"state": {}}, {"state": {"b": 1.0}},
+     {"state": PIECE.state | {"b": "1"}}, {"state": PIECE.state | {"b": math.nan}}],
 )  # fmt: skip
-def test_a_piece_with_what_is_no_number_is_refused(change: dict[str, Any]) -> None:
+def test_a_piece_that_is_none_of_the_scene_is_refused(change: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=r"^x: a line of the journal cannot be read: "):
-        _kept_piece(asdict(PIECE) | change, Path("x"))
+        _kept_piece(asdict(PIECE) | change, Path("x"), PAPERS)
 
 
 @pytest.mark.parametrize("data", [3, None, [1], {"phase": "slip"}])
 def test_a_line_that_is_no_piece_is_refused(data: Any) -> None:
     with pytest.raises(ValueError, match=r"^x: a line of the journal cannot be read: "):
-        _kept_piece(data, Path("x"))
+        _kept_piece(data, Path("x"), PAPERS)
 
 
 def test_nothing_of_a_float_run_is_checked_or_proved() -> None:
@@ -350,7 +355,7 @@ def test_only_a_run_with_a_journal_is_cut(tmp_path: Path, monkeypatch: pytest.Mo
 
     def pieces(*given: Any) -> Any:
         asked.append(given)
-        return iter([SolverPiece("slip", [row], float(len(asked)), {}, None, "slip")])
+        return iter([SolverPiece("slip", [row], float(len(asked)), PIECE.state, None, "slip")])
 
     monkeypatch.setattr(module, "_pieces", pieces)
     float_run(SCENE, "BDF", 1e-6, 7)
