@@ -20,16 +20,23 @@ from gspot_verified.mechanisms.own_state.compliant_tube import (
     CompliantEquations,
     CompliantTube,
     OwnStarts,
+    _Fast,
+    _fast,
+    _moved,
+    _Reached,
     compliant_tube,
 )
 from gspot_verified.mechanisms.own_state.fast_norm import FastNorm
 from gspot_verified.mechanisms.own_state.rigid_way import WayPart, rigid_way
 from gspot_verified.numbers.balls import approximate, working_bits
+from gspot_verified.numbers.evidence import less
 
 DIRECTIONS = [(0.3, 0.0, 1.0), (1.9, 0.2, -1.0), (3.4, -0.4, 0.0), (5.0, 1.2, 1.0), (0.0, 1.5707, -1.0)]
 STARTS, EPSILON = OwnStarts(fmpq(1), fmpq(1, 4)), fmpq(1, 2000)
 FIRST, LAST = 0.5, 0.25  # p
 WEIGHT = fmpq(1)
+SHOWN = less(0, 1)
+assert SHOWN is not None
 BITS = 208
 
 
@@ -199,3 +206,92 @@ def test_the_largest_share_is_nearly_reached() -> None:
 def test_arguments_that_mean_nothing(changes: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match="must be positive"):
         tube(**changes)
+
+
+POINT = (0.25, 3.0, 0.0, 0.0, 0.5, -2.0, 0.5, 4.0)  # x, u, y, v, p, b; p and Lambda beside them
+
+
+def rates_of(x: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    _, u, _, v, p, b, beside, force = x
+    rho = -1 + (-1 + 1.5) * force
+    return np.array([u, -force, v, b + p * force, -1, -1 + 1.5 * force, -1, -rho / beside])
+
+
+def kick_of(x: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    p, beside = x[4], x[6]
+    return np.array([0, -1 / beside, 0, p / beside, 0, 1.5 / beside, 0, -1.5 / beside**2])
+
+
+def slopes_of(function: Any, x: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    steps = np.eye(8) * 1e-5
+    return np.array([(function(x + step) - function(x - step)) / 2e-5 for step in steps]).T
+
+
+def test_the_numbers_of_a_part_are_those_of_the_page() -> None:
+    """At a point, all terms of one size, by finite differences of equations by hand."""
+    x, epsilon, time = np.array(POINT), 1e-4, 0.02
+    first, decayed, driven, eta = 0.3, 1e-4, 2e7, np.arange(1, 9) * 1e-3
+    tilt, kappa, p = math.sqrt(0.5 / 32 + 0.5 / 8), 0.5, 0.5
+    rate, c = p / 4 / 10, 1 / math.sqrt(1 - tilt)
+    left = first * math.exp(-decayed / epsilon)
+    largest = c * (left + epsilon**2 * driven)
+    after = decayed + rate * time
+    last = c * (first * math.exp(-after / epsilon) + epsilon**2 * driven)
+    psi, root = 2.0, math.sqrt(kappa * p)  # rho/p = (-1 + 2)/(1/2)
+    still = epsilon**2 * psi / kappa
+    J, k, turn = slopes_of(rates_of, x), kick_of(x), slopes_of(kick_of, x)
+    with working_bits(BITS):
+        flow, _, _ = known()
+        equations, norm = CompliantEquations(flow), FastNorm(Contact.of(load("model system").regularisation), WEIGHT)
+        box = [arb(one) for one in POINT]
+        before = _Reached([arb(one) for one in eta], [], arb(first), arb(decayed), arb(driven), arb(0), SHOWN)
+        fast = _fast(equations, norm, box, before, arb(time), arb(epsilon))
+        assert isinstance(fast, _Fast)
+        end, ends, whole = _moved(equations, box, before, fast, arb(time))
+        drive = _fast(equations, norm, box, replace(before, driven=arb(0)), arb(time), arb(epsilon))
+        assert isinstance(drive, _Fast)
+    travelled = epsilon / root * c * (left * min(epsilon / rate, time) + epsilon**2 * driven * time) + still * time
+    for one, wanted in (
+        (fast.push, largest),
+        (fast.last, last),
+        (fast.decayed, after),
+        (fast.driven, driven),
+        (fast.speed, epsilon / root * largest + still),
+        (fast.last_speed, epsilon / root * last + still),
+        (fast.travelled, travelled),
+        (drive.driven, math.sqrt(p / kappa) * abs(-J[-1] @ rates_of(x)) / rate),
+    ):
+        assert approximate(one) == pytest.approx(wanted, rel=1e-6)
+    N = np.abs(J)
+    np.fill_diagonal(N, np.diag(J))
+    drift = np.abs(J @ k - turn @ rates_of(x)) + largest * np.abs(turn @ k)
+    grown, upwards = exponential(N * time), exponential(np.maximum(N, 0) * time)
+    moved, most = grown @ eta + upwards @ (drift * travelled), upwards @ (eta + drift * travelled)
+    for ours, theirs in (
+        (end, moved),
+        (ends, moved + np.abs(k) * approximate(fast.last_speed)),
+        (whole, most + np.abs(k) * approximate(fast.speed)),
+    ):
+        assert [approximate(one) for one in ours] == pytest.approx(list(theirs), rel=1e-6)
+
+
+def exponential(matrix: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    from scipy.linalg import expm
+
+    return np.asarray(expm(matrix))
+
+
+@pytest.mark.parametrize(("factor", "passed"), [(0.999, True), (1.001, False)])
+def test_the_decay_must_exceed_the_growth(factor: float, passed: bool) -> None:
+    """epsilon times gamma of the page, at a point, beside the rate."""
+    tilt, p, kappa, rate = math.sqrt(0.5 / 32 + 0.5 / 8), 0.5, 0.5, 0.5 / 4 / 10
+    x = np.array(POINT)
+    turn = abs(slopes_of(rates_of, x)[-1] @ kick_of(x)) * p / math.sqrt(kappa * p)
+    still, more = ((1 + tilt) * max(1.0, 1.0) + tilt / (4 * p)) / (1 - tilt), (1 + tilt) * turn / (1 - tilt)
+    epsilon = (-still + math.sqrt(still**2 + 4 * more * rate)) / (2 * more) * factor
+    with working_bits(BITS):
+        flow, _, _ = known()
+        before = _Reached([], [], arb("1e-9"), arb(0), arb(0), arb(0), SHOWN)
+        norm = FastNorm(Contact.of(load("model system").regularisation), WEIGHT)
+        found = _fast(CompliantEquations(flow), norm, [arb(one) for one in POINT], before, arb("1e-9"), arb(epsilon))
+    assert isinstance(found, _Fast) == passed, found

@@ -77,3 +77,38 @@ def test_a_smaller_weight_serves_a_larger_p() -> None:
     with working_bits(120):
         assert FastNorm(PAPER, fmpq(1)).decay(arb(8)) is None
         assert FastNorm(PAPER, fmpq(1, 8)).decay(arb(8)) is not None
+
+
+def passes(contact: Contact, weight: float, p: float) -> bool:
+    """The two conditions of the page in floats, from the matrices themselves."""
+    M, B = gram(contact, weight, p), frozen(contact, p)
+    q = approximate(contact.lag) * p / approximate(contact.rate)
+    left = -(M @ B + B.T @ M) - 2 * weight / 5 * q * M
+    return bool(np.linalg.eigvalsh(left).min() > 0 and np.linalg.norm(M - np.eye(3), 2) < 1)
+
+
+@pytest.mark.parametrize(
+    "contact", [PAPER, OTHER, Contact(fmpq(3), fmpq(1), fmpq(1, 4)), Contact(fmpq(1, 9), fmpq(3), fmpq(5))]
+)
+@pytest.mark.parametrize("weight", [fmpq(1), fmpq(1, 4)])
+def test_it_is_refused_from_where_it_fails(contact: Contact, weight: fmpq) -> None:
+    """The last p at which the conditions hold, by bisection in floats."""
+    size, below, above = approximate(weight), 1e-6, 1e4
+    assert passes(contact, size, below)
+    assert not passes(contact, size, above)
+    for _ in range(60):
+        middle = math.sqrt(below * above)
+        below, above = (middle, above) if passes(contact, size, middle) else (below, middle)
+    with working_bits(120):
+        assert FastNorm(contact, weight).decay(arb(below * 0.999999)) is not None
+        assert FastNorm(contact, weight).decay(arb(above * 1.000001)) is None
+
+
+def test_the_numbers_of_a_ball_are_bounds() -> None:
+    with working_bits(120):
+        decay = FastNorm(PAPER, fmpq(1)).decay(arb("0.15", "0.05"))
+        assert decay is not None
+        assert decay.tilt.is_exact()
+        assert decay.rate.is_exact()
+        assert decay.rate <= arb("0.1") / 20
+        assert decay.tilt >= (arb("0.2") * (arb(1) / 32 + arb(1) / 8)).sqrt()
