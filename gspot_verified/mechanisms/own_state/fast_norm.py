@@ -46,4 +46,4 @@ class FastNorm:
         n_12, n_13 = -2 * theta * lag / g * above, above * lag.sqrt() - below * kappa.sqrt()
         n_23, n_33 = 2 * theta * lag / g * root * below - first * lag.sqrt(), 2 * g - 2 * (first + theta) * q
         evidence = every([less(square, 1), positive_definite([n_11, n_12, n_13, n_12, n_22, n_23, n_13, n_23, n_33])])
-        return None if evidence is None else Decay(square.upper().sqrt().upper(), (theta * q).lower(), evidence)
+        return None if evidence is None else Decay(square.sqrt().upper(), (theta * q).lower(), evidence)

@@ -12,7 +12,8 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.expansion.from_state.slow_series import Contact
-from gspot_verified.mechanisms.approach.slip_flow import SlipFlow
+from gspot_verified.functions.expressions import Constant, Variable
+from gspot_verified.mechanisms.approach.slip_flow import ClosedFlow, SlipFlow
 from gspot_verified.mechanisms.approach.slip_state import slip_state
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.load import load
@@ -23,6 +24,7 @@ from gspot_verified.mechanisms.own_state.compliant_tube import (
     _Fast,
     _fast,
     _moved,
+    _place,
     _Reached,
     compliant_tube,
 )
@@ -295,3 +297,67 @@ def test_the_decay_must_exceed_the_growth(factor: float, passed: bool) -> None:
         norm = FastNorm(Contact.of(load("model system").regularisation), WEIGHT)
         found = _fast(CompliantEquations(flow), norm, [arb(one) for one in POINT], before, arb("1e-9"), arb(epsilon))
     assert isinstance(found, _Fast) == passed, found
+
+
+def test_a_duration_in_a_ball_is_the_longest_of_it() -> None:
+    """The integral of |v|, where it is the duration that bounds it."""
+    with working_bits(BITS):
+        flow, _, _ = known()
+        norm, epsilon = FastNorm(Contact.of(load("model system").regularisation), WEIGHT), arb("1e-4")
+        before = _Reached([], [], arb("0.3"), arb(0), arb(0), arb(0), SHOWN)
+        travelled = []
+        for time in (arb("0.004", "0.002"), arb("0.006")):
+            fast = _fast(CompliantEquations(flow), norm, [arb(one) for one in POINT], before, time, epsilon)
+            assert isinstance(fast, _Fast)
+            travelled.append(fast.travelled)
+        assert travelled[0] >= travelled[1]
+
+
+def test_what_the_kick_itself_turns_counts() -> None:
+    """A flow whose G changes along G, at a point, by hand: G = (x1^2, x0), p = x0, alpha_3 = -3 x0."""
+    one, first, second = Constant(fmpq(1)), Variable(0), Variable(1)
+    flow = ClosedFlow(
+        F=(first * second, one), G=(second * second, first), p=first, b=second, alpha_1=-one, alpha_2=-second,
+        alpha_3=Constant(fmpq(-3)) * first,
+    )  # fmt: skip
+    x0, x1, p, force, push, travelled = 0.5, -2.0, 0.5, 4.0, 0.7, 0.01
+    rho = -x1 + (-1 + 3 * x0) * force
+    values = np.array([x0 * x1 + x1**2 * force, 1 + x0 * force, -1, -rho / p])
+    J = np.array([
+        [x1, x0 + 2 * x1 * force, 0, x1**2],
+        [force, 0, 0, x0],
+        [0, 0, 0, 0],
+        [-3 * force / p, 1 / p, rho / p**2, -(-1 + 3 * x0) / p],
+    ])  # fmt: skip
+    k = np.array([x1**2 / p, x0 / p, 0, -3 * x0 / p**2])
+    turn = np.array([
+        [0, 2 * x1 / p, -(x1**2) / p**2, 0], [1 / p, 0, -x0 / p**2, 0], [0, 0, 0, 0], [-3 / p**2, 0, 6 * x0 / p**3, 0],
+    ])  # fmt: skip
+    drift = np.abs(J @ k - turn @ values) + push * np.abs(turn @ k)
+    with working_bits(BITS):
+        fast = _Fast(
+            travelled=arb(travelled), speed=arb("0.1"), last_speed=arb("0.2"), push=arb(push), last=arb(0),
+            decayed=arb(0), driven=arb(0), evidence=SHOWN,
+        )  # fmt: skip
+        before = _Reached([arb(0)] * 4, [], arb(0), arb(0), arb(0), arb(0), SHOWN)
+        end, ends, most = _moved(
+            CompliantEquations(flow), [arb(x0), arb(x1), arb(p), arb(force)], before, fast, arb("1e-20")
+        )
+        assert [approximate(value) for value in end] == pytest.approx(list(drift * travelled), rel=1e-7, abs=1e-7)
+        for ours, speed in ((ends, 0.2), (most, 0.1)):
+            wanted = drift * travelled + speed * np.abs(k)
+            assert [approximate(value) for value in ours] == pytest.approx(list(wanted), rel=1e-7, abs=1e-7)
+    assert np.abs(turn @ k).max() > 1
+
+
+def test_the_place_at_the_end() -> None:
+    """(6) of the page, p = 1/2 and Lambda = 4, in floats."""
+    epsilon, fast, kappa, g, lag, p, force = 1e-3, 0.03, 0.5, 2.0, 0.5, 0.5, 4.0
+    norm = FastNorm(Contact.of(load("model system").regularisation), WEIGHT)
+    with working_bits(BITS):
+        place = _place(norm, arb(p), arb(force), arb(fast), arb(epsilon))
+    V, phi = fast / math.sqrt(kappa * p), fast * math.sqrt(lag / p) / g
+    assert (place[0], place[1]) == (arb(p), arb(-2))
+    assert approximate(place[3].rad()) == pytest.approx(epsilon * V)
+    assert approximate(place[2].rad()) == pytest.approx(epsilon**2 / kappa * (phi + force + fast / p + lag / g * V))
+    assert place[2].mid() == place[3].mid() == 0

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified.expansion.chart.cone import rational_of
 from gspot_verified.expansion.from_state.slow_series import Contact
 from gspot_verified.mechanisms.own_state.fast_norm import FastNorm
 from gspot_verified.numbers.balls import approximate, ball, working_bits
@@ -54,8 +55,8 @@ def test_a_ball_of_p_is_about_all_of_it() -> None:
         assert whole is not None
         assert first is not None
         assert last is not None
-        assert abs(whole.rate - first.rate) < arb("1e-9")
-        assert abs(whole.tilt - last.tilt) < arb("1e-9")
+        assert abs(whole.rate - first.rate) < arb("1e-8")
+        assert abs(whole.tilt - last.tilt) < arb("1e-8")
 
 
 @pytest.mark.parametrize(
@@ -64,6 +65,7 @@ def test_a_ball_of_p_is_about_all_of_it() -> None:
         (fmpq(4), arb("0.01")),  # too much of x_3 is mixed in
         (fmpq(1), arb(20)),  # M is not positive definite
         (fmpq(1), arb(0, "0.001")),
+        (fmpq(1), arb((1, -3), (1, -3))),  # [0, 1/4]
         (fmpq(1), arb("-0.1")),
         (fmpq(1), arb("nan")),
     ],
@@ -111,4 +113,4 @@ def test_the_numbers_of_a_ball_are_bounds() -> None:
         assert decay.tilt.is_exact()
         assert decay.rate.is_exact()
         assert decay.rate <= arb("0.1") / 20
-        assert decay.tilt >= (arb("0.2") * (arb(1) / 32 + arb(1) / 8)).sqrt()
+        assert rational_of(decay.tilt) ** 2 >= fmpq(1, 32)

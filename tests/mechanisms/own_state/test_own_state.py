@@ -142,6 +142,23 @@ def test_what_has_nothing_to_go_on_with_is_left_alone() -> None:
         assert with_own_state(found, load("model system"), MODEL) is found
 
 
+@pytest.mark.parametrize(("spot", "beside"), [(None, False), (1, True)])
+def test_what_is_left_out_is_that_of_the_spot_that_was_named(
+    spot: int | None, beside: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked_for, own_way = list[bool](), module.slip_state
+
+    def noted(shifted: Any, state: Any, beside_place: bool) -> Any:
+        asked_for.append(beside_place)
+        return own_way(shifted, state, beside_place)
+
+    monkeypatch.setattr(module, "slip_state", noted)
+    monkeypatch.setattr(module, "_TRIES", 1)
+    monkeypatch.setattr(module, "at_spot", lambda mechanism, number: mechanism)
+    with_own_state(asked(), load("model system"), MODEL, spot)
+    assert asked_for == [beside]
+
+
 def test_the_text_says_what_is_part_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "_TRIES", 1)
     beside = "that the compliant motion from the state comes there too is not part of it"
