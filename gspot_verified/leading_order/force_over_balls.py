@@ -103,7 +103,8 @@ class ForceOverBalls(NoTruthValue, Written):
         """The systems and the side."""
         balls = {"β": self.beta, "α1": self.alpha_1, "α2": self.alpha_2, "α3": self.alpha_3}
         shown = ", ".join(f"{name} = {ball_text(value)}" for name, value in balls.items())
-        return [case_and_side(self.case, shown, self.c1, self.takes_impact)]
+        # "For all numbers in the balls" is not said of those that are written: these are wider.
+        return [case_and_side(self.case, f"{shown} (balls rounded outward)", self.c1, self.takes_impact)]
 
 
 def force_over_balls(

@@ -264,3 +264,12 @@ def test_without_a_lift_off_nothing_is_said_of_the_whole_line() -> None:
     assert found.verdict.outcome is Outcome.REFUTED
     assert found.lift_off.bracket is None
     assert (found.whole_line, found.lift_off.whole_line) == (False, False)
+
+
+def test_balls_that_are_written_wider_are_said_to_be_so() -> None:
+    """beta in [2.089, 2.209] is written [2e+0 +/- 0.210], which holds 1.9, where the other side takes an impact."""
+    found = iwc_over_balls(-1, -1, around(Fraction(-2149, 1000), Fraction(60, 1000)))
+    assert found.verdict.outcome is Outcome.PROVED
+    assert "[2e+0 +/- 0.21" in str(found)
+    assert " (balls rounded outward), C1 = -1: " in str(found)
+    assert "λ_N changes sign" in leading_order_iwc("1.9", c1=-1).verdict.statement

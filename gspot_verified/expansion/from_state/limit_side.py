@@ -12,8 +12,9 @@ from flint import arb, fmpq, fmpz
 
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
 from gspot_verified.expansion.series.regularisation import Regularisation
-from gspot_verified.numbers.balls import ExactInput, ball_text, exact
+from gspot_verified.numbers.balls import ExactInput, exact
 from gspot_verified.numbers.evidence import less, theorem
+from gspot_verified.numbers.inner_text import inner_text
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import MAX_BETA
@@ -85,10 +86,10 @@ def rule_of(beta: fmpq | arb, springs: Regularisation) -> tuple[str, Evidence] |
 
 
 def _statement(beta: fmpq | arb, springs: Regularisation) -> str:
-    number = ball_text(beta) if isinstance(beta, arb) else str(beta)
+    number = f"in {inner_text(beta)}" if isinstance(beta, arb) else f"= {beta}"
     return (
         "for every mechanism of Case III with analytic functions, p, b, y, v independent at its G-spot, "
-        f"beta = {number} and {contact_text(springs)}, and every family of starts in contact that tends to a state of "
+        f"beta {number} and {contact_text(springs)}, and every family of starts in contact that tends to a state of "
         "a rigid slip motion into a G-spot with C_1 != 0, with y/epsilon^2, v/epsilon, lambda_N bounded and the limsup "
         "of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2)/b^2 below 1, "
         f"{Contact.of(springs).fast_text}, and every force Lambda, there is an epsilon_0 > 0 such that for every "

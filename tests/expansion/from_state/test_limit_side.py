@@ -17,7 +17,8 @@ from witnesses.theorem_q import side_by_enclosures
 
 from gspot_verified.expansion.from_state.limit_side import limit_side, rule_of
 from gspot_verified.expansion.series.regularisation import PAPER
-from gspot_verified.numbers.balls import ball_text, working_bits
+from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.inner_text import inner_text
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.signs.gamma.side import gamma_sign
 
@@ -63,8 +64,18 @@ def test_every_beta_between_two_integers(integer: int, part: Fraction) -> None:
     with working_bits(64):
         root = arb(beta) + arb(0, "1e-9")
     assert limit_side(root).side == found.side
-    assert f"beta = {ball_text(root)} and " in limit_side(root).verdict.statement
+    assert f"beta in {inner_text(root)} and " in limit_side(root).verdict.statement
+    assert f"beta = {beta} and " in found.verdict.statement
     assert "(1, 1, 1)" in found.verdict.statement
+
+
+def test_the_ball_that_is_named_holds_no_other_number() -> None:
+    """By its usual text [2.0 +/- 0.0400] the statement would be false: at 199/100 the sides change."""
+    with working_bits(64):
+        found = limit_side(arb("2.02", "0.01999999"))
+    assert found.verdict.outcome is Outcome.PROVED
+    assert " beta in [2.00001, 2.03999] and " in found.verdict.statement
+    assert limit_side("199/100").side != found.side
 
 
 def test_a_ball_with_an_integer_is_undecided() -> None:
