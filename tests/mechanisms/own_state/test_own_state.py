@@ -154,7 +154,7 @@ def test_what_is_left_out_is_that_of_the_spot_that_was_named(
 
     monkeypatch.setattr(module, "slip_state", noted)
     monkeypatch.setattr(module, "_TRIES", 1)
-    monkeypatch.setattr(module, "at_spot", lambda mechanism, number: mechanism)
+    monkeypatch.setattr(module, "at_spot", lambda mechanism, _: mechanism)
     with_own_state(asked(), load("model system"), MODEL, spot)
     assert asked_for == [beside]
 
