@@ -227,7 +227,17 @@ def test_other_libraries_are_in_the_key(sources: Path, monkeypatch: pytest.Monke
 
 def test_what_computes_is_in_the_key(package_trees: Mapping[Path, ast.Module]) -> None:
     """Every module of others that the package imports, but for what shows results or is asked for by other commands."""
-    shown = {"distributed", "jinja2", "latex2mathml", "markdown_it", "markupsafe", "matplotlib", "pygments", "typer"}
+    shown = {
+        "distributed",
+        "jinja2",
+        "latex2mathml",
+        "markdown_it",
+        "markupsafe",
+        "matplotlib",
+        "pyarrow",
+        "pygments",
+        "typer",
+    }
     rivals = {"heyoka", "mujoco", "ore_algebra", "pydrake", "sage"}
     found = set()
     for tree in package_trees.values():

@@ -39,7 +39,7 @@ from gspot_verified.expansion.true_solutions.equations import DeviationEquations
 from gspot_verified.expansion.true_solutions.side import end_of_track
 from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_end, joined
 from gspot_verified.expansion.true_solutions.track import track
-from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, exact, working_bits
+from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, exact, hull, working_bits
 from gspot_verified.numbers.evidence import differ, every
 from gspot_verified.numbers.inner_text import inner_text
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
@@ -60,10 +60,12 @@ _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 @dataclass(frozen=True)
 class ChartedWay:
     """With a chart: ``cone`` holds p, b, y, v from all starts up to the hand-over, ``starts`` their states: those of
-    its box ``around`` with these p, b, y, v."""
+    its box ``around`` with these p, b, y, v; ``after`` holds the states from the hand-over to the end that the side
+    tells."""
 
     cone: Cone
     starts: Region
+    after: tuple[arb, ...]
 
 
 @dataclass(frozen=True)
@@ -139,7 +141,7 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     delta = ends[-1].most if ends else smallest(top)
     shown, epsilon, way, place = joined(ends, delta), delta**3, None, ""
     if system.chart is not None and shown is not None:
-        way = _way(start, system.chart, cones)
+        way = _way(start, system.chart, cones, ends)
         failed = failed if way is not None else "p, b, y, v are not certainly coordinates at the start"
         shown = None if way is None else every([shown, way.starts.evidence])
         place = "" if way is None else f" and the state in {_box_text(system.chart, way.starts)}"
@@ -160,7 +162,7 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     return AffineSide(start, epsilon, side, Verdict.proved(statement, shown), way)
 
 
-def _way(start: AffineStart, chart: Chart, cones: Sequence[Cone]) -> ChartedWay | None:
+def _way(start: AffineStart, chart: Chart, cones: Sequence[Cone], ends: Sequence[SideEnd]) -> ChartedWay | None:
     """Where the states are; None: it is not certain that the starts are states of the chart."""
     p, force = ball(start.p), ball(start.force)
     ray = ray_of(joined_cones(cones), p, force)
@@ -168,7 +170,8 @@ def _way(start: AffineStart, chart: Chart, cones: Sequence[Cone]) -> ChartedWay 
     if chain is None:
         return None
     starts = chart.region(replace(ray, first=rational_of(p.lower())).place, chain[-1])
-    return None if starts is None else ChartedWay(joined_cones(cones), starts)
+    after = tuple(hull(values) for values in zip(*(end.states for end in ends), strict=True))
+    return None if starts is None else ChartedWay(joined_cones(cones), starts, after)
 
 
 def _box_text(chart: Chart, region: Region) -> str:

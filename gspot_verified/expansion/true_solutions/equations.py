@@ -136,12 +136,16 @@ class DeviationEquations:
             total = total * self.small + term(s)
         return total * self.small**first
 
+    def states(self, s: arb, tube: Sequence[arb]) -> list[arb]:
+        """The states with e_xi in ``tube``."""
+        square = self.small * self.small
+        return [value + square * (self.expansion(f"xi_{i + 1}", s) + tube[i]) for i, value in enumerate(self.point)]
+
     def coupling(self, s: arb, deviations: Sequence[arb]) -> Coupling:
         """The coefficients for |e_i| <= |deviations_i| (those of xi and p matter)."""
         m, square = self.dimension, self.small * self.small
         tube = [add_remainder(arb(0), value.abs_upper()) for value in deviations]
-        state = [value + square * (self.expansion(f"xi_{i + 1}", s) + tube[i]) for i, value in enumerate(self.point)]
-        values, slopes = self._functions.gradients(state)
+        values, slopes = self._functions.gradients(self.states(s, tube))
         drifts, controls, (first, second, third) = slopes[:m], slopes[m : 2 * m], slopes[2 * m :]
         control, alpha_3 = values[m : 2 * m], values[2 * m + 2]
         force = self.expansion("lambda_n", s)

@@ -54,10 +54,12 @@ class DeviationCone:
 class Ranges:
     """What the page writes with a bar, for s_1 <= s <= S* = ``last`` and Y <= Y_max, at delta_0.
 
-    ``drift``: |DF + lambda DG|; ``control``: |G|; ``bend``: |D alpha_1|; ``push``: |D alpha_2 - lambda D alpha_3|.
+    ``state``: the box. ``drift``: |DF + lambda DG|; ``control``: |G|; ``bend``: |D alpha_1|; ``push``:
+    |D alpha_2 - lambda D alpha_3|.
     """
 
     last: arb
+    state: tuple[arb, ...]
     drift: list[list[arb]]
     control: list[arb]
     bend: list[arb]
@@ -113,6 +115,7 @@ def ranges_of(equations: DeviationEquations, entry: EntryDeviation, power: Exact
     ratio = delta ** (order - ball(power)) / entry.V.lower()
     return Ranges(
         last=last,
+        state=tuple(state),
         drift=[[(slopes[i][j] + force * slopes[m + i][j]).abs_upper() for j in range(m)] for i in range(m)],
         control=[value.abs_upper() for value in values[m : 2 * m]],
         bend=[value.abs_upper() for value in slopes[2 * m]],

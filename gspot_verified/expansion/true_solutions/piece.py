@@ -37,7 +37,7 @@ class Deviations:
 @dataclass(frozen=True)
 class TrackPiece:
     """``deviations`` encloses e delta^-mu for start <= s <= end; ``fast`` bounds |phi| delta^-mu, ``force`` encloses
-    the deviation of lambda_N, delta^-mu times; ``mean`` is the expansion's lambda_N.
+    the deviation of lambda_N, delta^-mu times; ``mean`` is the expansion's lambda_N, ``states`` holds the states.
 
     ``at_end`` is the state at the end, ``end_deviations`` the enclosure there; ``end_fast`` bounds |f| delta^-mu there,
     f = e_lambda + kappa e_y.
@@ -49,6 +49,7 @@ class TrackPiece:
     fast: arb
     force: arb
     mean: arb
+    states: tuple[arb, ...]
     at_end: Deviations
     end_deviations: tuple[arb, ...]
     end_fast: arb
@@ -141,6 +142,7 @@ def advance(rules: Rules, state: Deviations, start: fmpq, end: fmpq) -> TrackPie
             -equations.kappa * deviations[equations.y], equations.lagged(fast, deviations[equations.v])
         ),
         mean=coupling.force,
+        states=tuple(equations.states(s, [value * rules.scale for value in deviations])),
         at_end=at_end,
         end_deviations=end_deviations,
         end_fast=equations.lagged(rules.fast_start(state, end - start) + forced, end_deviations[equations.v]),

@@ -24,7 +24,8 @@ _ROOM = fmpq(13, 10)  # above the force that is to be reached, for what is subtr
 class SideEnd:
     """For every delta > 0 from ``least`` to ``most``: lambda_N > 0 up to s_1 = ``entered``; then e_lambda has the sign
     ``side`` and lambda_N vanishes (-1), or exceeds ``force`` without vanishing before (1), with p < 0, by the s of
-    Theorem U2 with ``cone``; ``ratio`` bounds Y_max/Y_1."""
+    Theorem U2 with ``cone``; ``ratio`` bounds Y_max/Y_1. From the begin of the run to there the states lie in
+    ``states``."""
 
     least: fmpq
     most: fmpq
@@ -33,6 +34,7 @@ class SideEnd:
     cone: DeviationCone
     ratio: arb
     force: arb
+    states: tuple[arb, ...]
     evidence: Evidence
 
     def latest(self, epsilon: fmpq, power: Exact) -> arb:
@@ -80,6 +82,9 @@ def first_end(tracked: Track, start: fmpq, factor: fmpq) -> SideEnd | None:
                     cone=cone,
                     ratio=(cone.top / entry.Y.lower()).upper(),
                     force=reached,
+                    states=tuple(
+                        hull(values) for values in zip(ranges.state, *(part.states for part in parts), strict=True)
+                    ),
                     evidence=evidence,
                 )
     return None

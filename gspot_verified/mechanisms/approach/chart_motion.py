@@ -34,7 +34,7 @@ from gspot_verified.numbers.verdict import Reason, Verdict
 
 _ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is right
 _BITS = 256  # of a G-spot that is not rational
-_AFTER = "; that the mass matrix is positive definite and mu >= 0 is checked up to p = 0, and assumed after it"
+_HELD = "; the mass matrix is positive definite and mu >= 0 all the way"
 _ROOM, _ROOM_OF_FORCE = arb((1, -11)), arb((1, -14))  # of p and -b/p, in parts of those of the path: any are right
 
 
@@ -131,9 +131,9 @@ def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], at: _At)
     boxes = covered(system.chart, way.cone)
     if boxes is None:
         return _open(side, "p, b, y, v are not certainly coordinates of the state on the way")
-    for _, region in boxes:
+    for states in (*(region.states for _, region in boxes), way.after):
         whole = [arb(0)] * len(shifted.mechanism.state)
-        for i, value in zip(active, region.states, strict=True):
+        for i, value in zip(active, states, strict=True):
             whole[i] = value
         checked = hypotheses.checked(whole)
         if isinstance(checked, str):
@@ -142,7 +142,7 @@ def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], at: _At)
     evidence = every(shown)
     if evidence is None:
         return _open(side, "the hypotheses on the mechanism are not certain")
-    return replace(side, verdict=Verdict.proved(side.verdict.statement + _AFTER, evidence))
+    return replace(side, verdict=Verdict.proved(side.verdict.statement + _HELD, evidence))
 
 
 def _open(side: AffineSide, why: str) -> AffineSide:

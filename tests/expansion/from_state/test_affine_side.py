@@ -148,7 +148,9 @@ def staged(side: int, until: fmpq) -> Any:
 
     def decided(_: Any, __: Any, equations: Any, *___: Any) -> Any:
         least, most = equations.least, equations.exact_delta
-        return SideEnd(least, most, side, fmpq(1), cone_of(1), arb(2), arb(3), SHOWN) if most <= until else "too large"
+        return (
+            SideEnd(least, most, side, fmpq(1), cone_of(1), arb(2), arb(3), (), SHOWN) if most <= until else "too large"
+        )
 
     return decided
 
@@ -302,7 +304,7 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
     system = AffineSystem(Affine(fmpq(-2)), Affine(fmpq(-1)), Affine(fmpq(-3)), PAPER)
     start = AffineStart(manifold_of(system), P, fmpq(-1), fmpq(0))
     equations = SimpleNamespace(exact_delta=fmpq(1, 10))
-    end = SideEnd(fmpq(0), fmpq(1), 1, fmpq(1), cone_of(1), arb(2), arb(3), SHOWN)
+    end = SideEnd(fmpq(0), fmpq(1), 1, fmpq(1), cone_of(1), arb(2), arb(3), (), SHOWN)
     tube, handed, seen = SimpleNamespace(evidence=SHOWN, cone="cone"), object.__new__(HandOver), list[Any]()
 
     def tubes(_: Any, one: Any, e: fmpq) -> Any:

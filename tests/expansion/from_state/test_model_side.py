@@ -157,7 +157,7 @@ def staged(side: int, until: fmpq) -> Any:
     def decided(_: Any, __: Any, least: fmpq, most: fmpq, ___: fmpq) -> Any:
         if most > until:
             return "too large"
-        end = SideEnd(least, most, side, PLACE + least, cone_of("1.25"), arb(40), arb(77), SHOWN)
+        end = SideEnd(least, most, side, PLACE + least, cone_of("1.25"), arb(40), arb(77), (), SHOWN)
         return SimpleNamespace(end=end, plan=None, tube=None, handed=SimpleNamespace(coefficient=arb("1.5", "0.25")))
 
     return decided
@@ -205,7 +205,7 @@ def fabricated(ends: tuple[SideEnd, ...] | None = None, **changes: Any) -> Model
         start = _of(-1)
         given = {
             "least": fmpq(0), "most": fmpq(1, 10), "side": -1, "entered": fmpq(3, 2), "cone": cone_of("1.25"),
-            "ratio": arb(17, 1), "force": arb(0), "evidence": SHOWN,
+            "ratio": arb(17, 1), "force": arb(0), "states": (), "evidence": SHOWN,
         }  # fmt: skip
         undecided = Verdict.undecided("words", Reason.BUDGET, "why")
         ends = (SideEnd(**(given | changes)),) if ends is None else ends
@@ -229,7 +229,7 @@ def test_the_time_is_that_of_the_page() -> None:
 
 def test_the_time_is_that_of_the_range_of_epsilon() -> None:
     parts = ((fmpq(0), fmpq(1, 20)), (fmpq(1, 20), fmpq(1, 10)))
-    ends = tuple(SideEnd(*part, -1, fmpq(k), cone_of(1), arb(2), arb(0), SHOWN) for k, part in enumerate(parts, 1))
+    ends = tuple(SideEnd(*part, -1, fmpq(k), cone_of(1), arb(2), arb(0), (), SHOWN) for k, part in enumerate(parts, 1))
     found = fabricated(ends=ends)
     assert found.entered == 1
     for epsilon, place in ((fmpq(1, 8000), 1.0), (fmpq(1, 7999), 2.0), (fmpq(1, 1000), 2.0)):

@@ -38,7 +38,7 @@ SPRINGS = Regularisation.of(2, 3, "1/2")
 BETA, A, P, DELTA = fmpq(7, 3), fmpq(2), fmpq(1, 3), fmpq(1, 50)
 SHOWN = less(0, 1)
 assert SHOWN is not None
-ENDED = SideEnd(DELTA / 2, DELTA, -1, fmpq(3, 2), cone_of(1), arb(20), arb(2), SHOWN)
+ENDED = SideEnd(DELTA / 2, DELTA, -1, fmpq(3, 2), cone_of(1), arb(20), arb(2), (), SHOWN)
 RESIDUALS = SimpleNamespace(trajectory="trajectory")
 
 

@@ -158,7 +158,7 @@ def test_smaller_epsilon_takes_longer() -> None:
 
 def test_the_time_at_a_delta_is_that_of_the_page() -> None:
     """beta = 3/2, so mu = 1: s = 2 + log(3/delta)/5."""
-    ends_of = (SideEnd(fmpq(0), fmpq(1, 4), -1, fmpq(2), cone_of(5), arb(3), arb(0), SHOWN),)
+    ends_of = (SideEnd(fmpq(0), fmpq(1, 4), -1, fmpq(2), cone_of(5), arb(3), arb(0), (), SHOWN),)
     undecided = Verdict.undecided("words", Reason.BUDGET, "why")
     empty: Any = None
     numbers = fmpq(-1), fmpq(3, 2), fmpq(-1), fmpq(1, 4), fmpq(0)

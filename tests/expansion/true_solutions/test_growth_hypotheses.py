@@ -140,6 +140,7 @@ def concluded(n: Numbers, monkeypatch: pytest.MonkeyPatch) -> arb | None:
     cone = DeviationCone(*map(point, (n.a, n.c, n.B, n.C)), (point(n.A_1), point(n.A_2)), point(n.A_p), point(n.top))
     found = Ranges(
         point(n.last),
+        (),
         [[point(n.drift_11), point(n.drift_12)], [point(n.drift_21), point(n.drift_22)]],
         [point(n.control_1), point(n.control_2)],
         [point(n.bend_1), point(n.bend_2)],

@@ -71,6 +71,9 @@ class Given:
         fast = arb_mat([[arb(value, (1, -3))] for value in FAST])
         return Coupling(arb_mat(REST) * arb(fmpq(1, 64)), fast, arb(FORCE), arb(P))
 
+    def states(self, s: arb, tube: Sequence[arb]) -> list[arb]:
+        return [s, *tube]
+
     def residual(self, reach: fmpq) -> tuple[list[arb], arb]:
         self.reaches.append(reach)
         return [arb(value) for value in RESIDUAL], arb(RESIDUAL_Z)
@@ -176,6 +179,9 @@ def test_the_end_of_a_piece_is_the_left_side_of_the_inequality(
     assert is_bound(found.force + 100, 100 + high + fast, 1e-9)
     assert is_bound(100 - found.force, 100 - low + fast, 1e-9)
     assert equations.reaches == [fmpq(1)]
+    for one, other in zip(found.states, (equations.places[-1], *equations.tubes[-1]), strict=True):
+        assert one.contains(other)
+        assert other.contains(one)
     for passed, size in zip(equations.tubes[-1], largest, strict=True):
         assert is_bound(abs(passed), to_fraction(size * DELTA**2))
 

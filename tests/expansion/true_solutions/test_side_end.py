@@ -45,6 +45,11 @@ class Piece:
     mean: fmpq = ONE
     force: fmpq = ZERO
 
+    @property
+    def states(self) -> tuple[arb, arb]:
+        """Any balls."""
+        return arb(self.start), arb(self.end, 1)
+
 
 PIECES = (Piece(fmpq(-1), fmpq(0)), Piece(fmpq(0), fmpq(1, 2)), Piece(fmpq(1, 2), fmpq(2)))
 
@@ -78,7 +83,7 @@ class Run:
 
         def ranges_of(*given: Any) -> Any:
             found = answer(given[-1])
-            return SimpleNamespace(force=arb(3) if found is None else found[1])
+            return SimpleNamespace(force=arb(3) if found is None else found[1], state=(arb(20), arb(-30)))
 
         for name, stand_in in (("entry_of", entry_of), ("grows", grows), ("ranges_of", ranges_of)):
             monkeypatch.setattr(side_end, name, stand_in)
@@ -98,6 +103,11 @@ def test_an_end_is_stated_with_what_it_rests_on(side: int, monkeypatch: pytest.M
     (ratio, _), (least, _) = ends(found.ratio), ends(WIDE)
     assert 128 <= ratio * least < 128 + Fraction(1, 2**200)
     assert found.force == (40 if side < 0 else 30)
+    states = [*(piece.states for piece in PIECES[:2]), (arb(20), arb(-30))]  # up to s_1 = 1/2, and those of the cone
+    assert len(found.states) == 2
+    for box, values in zip(found.states, zip(*states, strict=True), strict=True):
+        assert all(map(box.contains, values))
+        assert not box.contains(arb(50))
     before, again, whole, grown, *ended = found.evidence.facts
     assert before == again == "0 < 1.00000"
     assert whole == "2 parts cover [-1, 1/2]"
@@ -161,7 +171,7 @@ def test_what_comes_after_the_end_fills_no_gap_before_it(monkeypatch: pytest.Mon
 def end(least: fmpq, most: fmpq, side: int = 1) -> SideEnd:
     """A range in which it happens by s = 2 + log(3/delta^mu)/5."""
     assert SHOWN is not None
-    return SideEnd(least, most, side, fmpq(2), cone_of(5), arb(3), arb(5), SHOWN)
+    return SideEnd(least, most, side, fmpq(2), cone_of(5), arb(3), arb(5), (), SHOWN)
 
 
 def test_only_ranges_that_cover_all_on_one_side_are_joined() -> None:
