@@ -84,13 +84,8 @@ def near_side(states: list[arb]) -> tuple[AffineSide, list[int]]:
         numbers = {"p": arb("0.001", "1e-6"), "b": arb("-0.003", "1e-6"), "force": arb(3, "1e-4")}
         start = SimpleNamespace(manifold=SimpleNamespace(system=system), **numbers)
         proved = Verdict.proved("so", SHOWN)
-        side = AffineSide(
-            start,
-            fmpq(1),
-            "impact",
-            proved,
-            ChartedWay(cone, region, tuple(ball(value) for value in spot().system.point)),
-        )  # type: ignore[arg-type]
+        after = tuple(ball(value) for value in spot().system.point)
+        side = AffineSide(start, fmpq(1), "impact", proved, ChartedWay(cone, region, after))  # type: ignore[arg-type]
         return side, [0, 1, 2, 3]
 
 
@@ -141,7 +136,7 @@ def test_the_hypotheses_are_asked_on_the_whole_way(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(SlipHypotheses, "checked", lambda self, box: FRICTION if box[0] == 77 else own(self, box))
     late = replace(side, way=replace(side.way, after=(arb(77), *beyond[1:])))
     with working_bits(256):
-        found = _checked(spot().shifted, late, active, INSIDE)
+        found = _checked(spot().shifted, late, active, at(INSIDE))
         assert (found.side, found.verdict.detail) == (None, FRICTION)
     monkeypatch.setattr(SlipHypotheses, "checked", own)
     wide = replace(side, way=replace(side.way, cone=replace(side.way.cone, last=fmpq(1))))  # type: ignore[union-attr, type-var]
