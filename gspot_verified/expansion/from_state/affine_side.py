@@ -302,6 +302,6 @@ def states_text(start: AffineStart) -> str:
     return (
         f"every start in contact at p {p}, b {b}{sharper} with "
         f"|lambda_N + b/p| <= {start.within} |L|, "
-        f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {start.within} sqrt(p) |L|, "
+        f"sqrt(kappa) |v|/epsilon <= {start.within} sqrt(p) |L|, g |fast|/sqrt(l) <= {start.within} sqrt(p) |L|, "
         f"L {excess}, {Contact.of(start.manifold.system.regularisation).fast_text}"
     )

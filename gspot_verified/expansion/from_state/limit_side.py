@@ -91,7 +91,7 @@ def _statement(beta: fmpq | arb, springs: Regularisation) -> str:
         "for every mechanism of Case III with analytic functions, p, b, y, v independent at its G-spot, "
         f"beta {number} and {contact_text(springs)}, and every family of starts in contact that tends to a state of "
         "a rigid slip motion into a G-spot with C_1 != 0, with y/epsilon^2, v/epsilon, lambda_N bounded and the limsup "
-        "of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2)/b^2 below 1, "
+        "of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p fast^2)/b^2 below 1, "
         f"{Contact.of(springs).fast_text}, and every force Lambda, there is an epsilon_0 > 0 such that for every "
         "0 < epsilon <= epsilon_0, as long as slip is positive, contact lasts until p < 0, and then"
     )

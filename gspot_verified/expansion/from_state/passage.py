@@ -110,7 +110,7 @@ class ModelStart:
         """The set of states in words."""
         return (
             f"every start in contact at p = {self.p}, b = {self.b} with |lambda_N + b/p| <= {self.within} |L|, "
-            f"sqrt(kappa) |v|/epsilon <= {self.within} sqrt(p) |L|, g |phi|/sqrt(l) <= {self.within} sqrt(p) |L|, "
+            f"sqrt(kappa) |v|/epsilon <= {self.within} sqrt(p) |L|, g |fast|/sqrt(l) <= {self.within} sqrt(p) |L|, "
             f"L = {self.excess}, {Contact.of(self.regularisation).fast_text}"
         )
 

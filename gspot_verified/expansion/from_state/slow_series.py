@@ -43,7 +43,7 @@ class Contact:
     def fast_text(self) -> str:
         """What phi is, in words."""
         numbers = f"kappa = {self.kappa}, g = {self.rate}, l = {self.lag}"
-        return f"phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, {numbers}"
+        return f"fast = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, {numbers}"
 
 
 def contact_text(springs: Regularisation) -> str:

@@ -144,7 +144,7 @@ class _Question:
         return (
             f"{self.shifted.mechanism.name} with {contact_text(contact)}{surface}: every start in contact with each "
             f"component within {_STARTS.beside} epsilon of {state}, on the contact, and kappa p (v/epsilon)^2 + "
-            f"(b + p lambda_N)^2 + (g^2/l) p phi^2 <= {_STARTS.share**2} b^2, {Contact.of(contact).fast_text}, "
+            f"(b + p lambda_N)^2 + (g^2/l) p fast^2 <= {_STARTS.share**2} b^2, {Contact.of(contact).fast_text}, "
             f"for every 0 < epsilon <= {epsilon}"
         )
 

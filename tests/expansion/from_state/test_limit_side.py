@@ -106,9 +106,9 @@ def test_the_sentence_names_the_fast_part_of_the_starts() -> None:
     """Theorem Q needs |X| < p Lambda = -b in the limit: a start that oscillates more may lift off at once."""
     statement = limit_side("3/2", contact=(1, 3, 2)).verdict.statement
     assert "y/epsilon^2, v/epsilon, lambda_N bounded" in statement
-    fast = "the limsup of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p phi^2)/b^2 below 1, "
+    fast = "the limsup of (kappa p (v/epsilon)^2 + (b + p lambda_N)^2 + (g^2/l) p fast^2)/b^2 below 1, "
     assert fast in statement
-    assert "phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 3/4, g = 2, l = 9/4" in statement
+    assert "fast = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 3/4, g = 2, l = 9/4" in statement
 
 
 def test_the_second_way_is_open_where_theorem_b_does_not_hold() -> None:

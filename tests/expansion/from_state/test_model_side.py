@@ -74,7 +74,7 @@ def test_the_sentence_says_what_its_letters_are() -> None:
     assert found.side == "impact"
     statement = found.verdict.statement
     assert "(k_1 epsilon^2, k_2 epsilon^2, c epsilon) = (1, 1, 1)" in statement
-    assert "phi = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 1/2, g = 2, l = 1/2" in statement
+    assert "fast = lambda_N + kappa y/epsilon^2 + (l/g) v/epsilon, kappa = 1/2, g = 2, l = 1/2" in statement
     assert "0 < epsilon <= 1/1000000000" in statement
     # A start with b < -p 40/3 exceeds it already, with p > 0: the sentence is about later times.
     assert "where p = alpha_1 epsilon^(2/3) s; after that it stays so until it exceeds 40/3; p < 0 there" in statement
