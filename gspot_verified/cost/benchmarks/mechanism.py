@@ -221,7 +221,7 @@ _SECONDS_PER_CELL = 30 / 10_000  # the target: half a minute for the largest cas
 TABLE_ROWS = 1_000  # of the table that is measured
 _SECONDS_PER_ROW = 0.01  # the target
 APPROACH_ROWS = 4  # of the table of states that is measured
-_SECONDS_PER_PATH = 0.5  # the target
+_SECONDS_PER_PATH = 0.15  # the target
 
 
 def table_row() -> Row:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 from flint import acb, arb, arb_poly, fmpz_poly
 
@@ -26,13 +27,14 @@ _FIRST_LENGTH = 0.25  # of a run, before anything is known
 _STEP_BITS = 8  # of a length
 _LARGEST_SUM_BITS = 3  # by which a coefficient may exceed the first two
 _DISCS = (2, 3, 4, 5, 6, 8)
+_KEPT_FIELDS = 8  # whose recurrences are kept
 
 
 class TaylorCurve:
     """Polynomials along the solutions of one field, step after step: each length starts from the one before."""
 
     def __init__(self, field: VectorField) -> None:
-        self._recurrence = TaylorRecurrence(field.functions)
+        self._recurrence = _recurrence(field)
         self._guess = _FIRST_LENGTH
         self._bits = current_bits() - _GUARD_BITS
         self.order = max(8, round(_ORDER_PER_BIT * self._bits))
@@ -100,6 +102,12 @@ class TaylorCurve:
             if sizes[k] > top:
                 change = min(change, 2 ** ((top - sizes[k]) / k))
         return change
+
+
+@lru_cache(_KEPT_FIELDS)
+def _recurrence(field: VectorField) -> TaylorRecurrence:
+    """Compiled once for a field, which is known by its identity."""
+    return TaylorRecurrence(field.functions)
 
 
 def _noise(sizes: Sequence[int]) -> int:

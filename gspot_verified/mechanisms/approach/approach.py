@@ -5,6 +5,7 @@ Proof pages: ``proofs/approach.md``, ``proofs/norm_step.md``, ``proofs/validated
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import arb, fmpq
@@ -20,10 +21,9 @@ from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF,
 from gspot_verified.mechanisms.approach.capture import Capture, capture
 from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
 from gspot_verified.mechanisms.approach.fast_decay import surviving_exponent
-from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.approach.slip_programs import slip_programs
 from gspot_verified.mechanisms.approach.slip_state import SlipState, StateError, StateInput, slip_state
 from gspot_verified.mechanisms.derive.mass_matrix import check_mass_matrix
-from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
@@ -33,7 +33,7 @@ from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
 MAX_STEPS = 600  # validated steps: a limit against endless work
-_PRECISIONS = (160, 400)  # bits, tried in turn: any is correct, more keep the last balls narrow
+PRECISIONS = (160, 400)  # bits, tried in turn: any is correct, more keep the last balls narrow
 SPARE_BITS = 48  # more, which the polynomials of long steps leave to rounding errors
 _SAMPLES = 4  # parts of a step that are checked, and points of it that are kept for pictures
 _PARTS = tuple(arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
@@ -88,10 +88,15 @@ def followed(
     surface_velocity: ExactInput | None = None,
     max_steps: int = MAX_STEPS,
     beside_place: bool = False,
+    precisions: Sequence[int] | None = None,
 ) -> Approach:
-    """The same for a mechanism whose functions are derived; ``beside_place``: what is left out is as at its place."""
+    """The same for a mechanism whose functions are derived; ``beside_place``: what is left out is as at its place.
+
+    ``precisions``: in bits (default: those of :func:`approach`), tried in turn until the end is proved and the sign of
+    C_1 is certain.
+    """
     velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
-    for bits in _PRECISIONS:
+    for bits in precisions or PRECISIONS:
         with working_bits(bits + SPARE_BITS):
             outcome = _Attempt(shifted, state, velocity, bits, max_steps, beside_place).result()
         known = outcome.coefficient is not None and sign_of(outcome.coefficient) in (1, -1)
@@ -121,9 +126,9 @@ class _Attempt:
         beside_place: bool = False,
     ) -> None:
         self.mechanism, self.bits, self.max_steps = shifted.mechanism, bits, max_steps
-        self.flow = SlipFlow.of(shifted)
-        self.numbers = SlipNumbers(self.flow)
-        self.hypotheses = SlipHypotheses(shifted)
+        self.programs = slip_programs(shifted)
+        self.flow, self.numbers = self.programs.flow, self.programs.numbers
+        self.hypotheses = self.programs.hypotheses
         self.start: SlipState = slip_state(shifted, state, beside_place)
         at = self.numbers.on(self.start.box)
         self._check(at.p, at.b)
@@ -158,7 +163,7 @@ class _Attempt:
 
     def result(self) -> Approach:
         """The run, until something is proved or the budget ends."""
-        field = self.flow.desingularised()
+        field = self.programs.desingularised
         run = NormRun(field, [*self.start.box, arb(0)], steps=Steps(self.max_steps), slow=False)
         watches = [Watch("lift-off", self.flow.b, field)]
         if self.surface is not None:
@@ -248,7 +253,7 @@ class _Attempt:
             disc = min(_DISC_BITS, round(exponent / 2))
             terms = max(_FEWEST_TERMS, round(approximate(beta)) + 1, round(self.bits / max(exponent - disc, 2.0)))
             coefficient = coefficient_above_one(
-                self.numbers, self.flow.by_p(), marked.states, marked.capture, place, terms, arb(2) ** -disc
+                self.numbers, self.programs.by_p, marked.states, marked.capture, place, terms, arb(2) ** -disc
             )
         side, why = self._side(case, reason, beta, coefficient)
         slip = last.capture.numbers.u.lower()

@@ -17,7 +17,8 @@ def exponent_for(neighbourhood: Capture, bits: int) -> float:
     beta = approximate(neighbourhood.numbers.alpha_3) / approximate(neighbourhood.numbers.alpha_1)
     if beta <= 1:
         return min(bits - 35.0, 48 / max(min(beta, 1 - beta), 0.01))
-    return max(6.0, min(46.0, (bits - 64) / beta))
+    # From 14 bits on a quotient's disc in p is small enough, where the precision allows it.
+    return max(6.0, min(46.0, (bits - 64) / beta), min(14.0, (bits - 24) / beta))
 
 
 def last_exponent_for(neighbourhood: Capture, exponent: float, bits: int, dimension: int) -> float:

@@ -18,6 +18,7 @@ from gspot_verified.expansion.from_state.slow_series import Contact, contact_tex
 from gspot_verified.mechanisms.approach.approach import MAX_STEPS, followed
 from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.approach.slip_programs import slip_programs
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
@@ -124,9 +125,32 @@ def mechanism_side(
     >>> found.side, found.verdict.outcome.value, found.active
     ('lift-off', 'proved', ('y', 'v', 'p', 'b'))
     """
-    shifted = shift(at_spot(mechanism, spot))
+    return side_from(
+        shift(at_spot(mechanism, spot)),
+        start,
+        surface_velocity=surface_velocity,
+        max_steps=max_steps,
+        beside_place=spot is not None,
+    )
+
+
+def side_from(
+    shifted: Shifted,
+    start: StateInput,
+    *,
+    surface_velocity: ExactInput | None = None,
+    max_steps: int = MAX_STEPS,
+    beside_place: bool = False,
+    precisions: Sequence[int] | None = None,
+) -> MechanismSide:
+    """The same for a mechanism whose functions are derived; the arguments are those of :func:`followed`."""
     found = followed(
-        shifted, start, surface_velocity=surface_velocity, max_steps=max_steps, beside_place=spot is not None
+        shifted,
+        start,
+        surface_velocity=surface_velocity,
+        max_steps=max_steps,
+        beside_place=beside_place,
+        precisions=precisions,
     )
     whole = _statement(shifted.mechanism, found)
     with working_bits(found.bits):
@@ -188,10 +212,10 @@ def _outcome(shifted: Shifted, found: Approach) -> tuple[tuple[str, ...], tuple[
         return (), _Open(Reason.HYPOTHESIS, found.side_reason)
     if not mechanism.regularisation.c > 0:
         return (), _Open(Reason.BEYOND, "the contact has no damper (c = 0): nothing is damped")
-    flow = SlipFlow.of(shifted)
-    active = active_components(flow)
+    programs = slip_programs(shifted)
+    active = active_components(programs.flow)
     names = tuple(mechanism.state[i] for i in active)
-    regular = independent(SlipNumbers(flow), active, found.spot)
+    regular = independent(programs.numbers, active, found.spot)
     if regular is None:
         return names, _Open(Reason.HYPOTHESIS, "the differentials of p, b, y, v at the G-spot may be dependent")
     rule, of_coefficient = rule_of(found.beta, mechanism.regularisation), signed(found.coefficient)

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import NamedTuple
 
+from gspot_verified.mechanisms.approach.approach import PRECISIONS
 from gspot_verified.mechanisms.approach.approach_result import Approach
-from gspot_verified.mechanisms.approach.mechanism_side import mechanism_side
+from gspot_verified.mechanisms.approach.mechanism_side import side_from
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
-from gspot_verified.mechanisms.derive.to_system import counted_from_zero
+from gspot_verified.mechanisms.derive.to_system import Shifted, counted_from_zero, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, exact_rational, require_mechanism
 from gspot_verified.mechanisms.sweep.sweep_piece import interval
 from gspot_verified.mechanisms.table.approached_row import ApproachedRow
@@ -22,7 +23,8 @@ from gspot_verified.mechanisms.table.row_text import Numbers
 from gspot_verified.mechanisms.table.table_work import answered_rows
 from gspot_verified.numbers.balls import ExactInput, working_bits
 
-_PORTION = 4  # rows of one task: each takes a second or so
+_PORTION = 16  # rows of one task: each takes a tenth of a second or so
+_PRECISIONS = (64, *PRECISIONS)  # bits, tried in turn: most rows are settled by the first
 _NUMBERS = ("time", "alpha_1", "alpha_2", "alpha_3", "beta", "C1")
 
 
@@ -60,6 +62,8 @@ def approach_table(
     all rows. A row that is wrong, a mechanism that cannot be, a state from which nothing slips is refused alone.
     ``executor``: where rows are looked at; the result is the same for every one. ``progress`` is told how many rows are
     done. Memory does not grow with the table. Nothing is kept of a killed run: to prove a path again takes as long.
+    A row is settled with as few bits as its answer needs, so its numbers may have few digits, which are certain; those
+    of :func:`mechanism_side` have more.
 
     :raises MechanismError: a column is no parameter and no component, there is no row, or the mechanism is not
         complete.
@@ -92,7 +96,12 @@ def _row(question: _Question, row: ParameterRow) -> ApproachedRow:
     try:
         mechanism = question.mechanism.with_parameters(**dict(zip(question.parameters, row.values, strict=True)))
         refuse_impossible(mechanism)
-        found = mechanism_side(mechanism, dict(question.state + row.state), surface_velocity=question.surface)
+        found = side_from(
+            _shifted(mechanism),
+            dict(question.state + row.state),
+            surface_velocity=question.surface,
+            precisions=_PRECISIONS,
+        )
     except MechanismError as error:
         return _refused(question, row, str(error))
     slip = found.approach
@@ -112,6 +121,12 @@ def _row(question: _Question, row: ParameterRow) -> ApproachedRow:
         numbers=_numbers(slip),
         point=_point(mechanism, slip),
     )
+
+
+@lru_cache(1)
+def _shifted(mechanism: Mechanism) -> Shifted:
+    """Derived once for rows with the same parameters."""
+    return shift(mechanism)
 
 
 def _numbers(slip: Approach) -> Numbers:

@@ -111,7 +111,7 @@ def test_the_least_slip_includes_the_end_of_the_path(monkeypatch: pytest.MonkeyP
 
 def test_a_g_spot_is_not_reached_where_an_event_on_the_way_is_not_excluded(monkeypatch: pytest.MonkeyPatch) -> None:
     """The signs at the first capture are evidence: without them, or those of the capture, nothing is concluded."""
-    monkeypatch.setattr(module, "_PRECISIONS", (160,))
+    monkeypatch.setattr(module, "PRECISIONS", (160,))
     found = from_model("1/1000", "-1/250", "50", steps=40)
     assert found.verdict.outcome is Outcome.PROVED
     assert "lies in the interior of" in str(found.verdict.evidence)
@@ -120,7 +120,7 @@ def test_a_g_spot_is_not_reached_where_an_event_on_the_way_is_not_excluded(monke
 
 
 def test_a_step_without_its_comparison_cannot_conclude(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "_PRECISIONS", (160,))
+    monkeypatch.setattr(module, "PRECISIONS", (160,))
     attempt = _Attempt._doubt
 
     def forgets(self: Any, segment: Any) -> str | None:

@@ -3,15 +3,20 @@ proofs/papers_rule.md."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
-from flint import arb
+from flint import arb, fmpq
 
 from gspot_verified import MechanismError, load, mechanism_side
 from gspot_verified.mechanisms.approach import mechanism_side as sides
+from gspot_verified.mechanisms.approach.approach import PRECISIONS
+from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.table import approach_table as module
 from gspot_verified.mechanisms.table.approach_table import approach_table
 from gspot_verified.mechanisms.table.approached_row import ApproachedRow
@@ -19,6 +24,7 @@ from gspot_verified.numbers.balls import ball
 
 MODEL = load("model system")
 FIXED = {"x": 0, "u": 3}
+BALL = re.compile(r"\[\S+ \+/- \S+\]")  # its width is that of the bits with which a row was settled
 STATES = [{"p": "1/2", "b": "-2"}, {"p": "1/2", "b": "-1/50"}, {"p": "1/4", "b": "-1"}]
 
 
@@ -26,7 +32,7 @@ def agrees(row: ApproachedRow, name: str, parameters: Mapping[str, str], state: 
     alone = mechanism_side(load(name, **parameters), state)
     slip = alone.approach
     assert (row.end, row.case, row.side, row.small_epsilon_side) == (slip.end, slip.case, slip.side, alone.side)
-    assert row.warnings == slip.warnings
+    assert [BALL.sub("", text) for text in row.warnings] == [BALL.sub("", text) for text in slip.warnings]
     numbers = dict(row.numbers)
     for word, value in (("time", slip.time), ("beta", slip.beta), ("C1", slip.coefficient)):
         own = numbers[word]
@@ -147,3 +153,35 @@ def test_a_line_of_csv() -> None:
     coefficient = mechanism_side(MODEL, {**FIXED, **STATES[0]}).approach.coefficient
     assert coefficient is not None
     assert arb(float(line[where])) <= coefficient <= arb(float(line[where + 1]))
+
+
+def test_few_bits_first_and_more_where_a_row_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first precision settles rows; where it cannot, the answer is that of the state alone."""
+    tried: list[tuple[int, ...]] = []
+    real = sides.followed
+
+    def noted(*given: Any, **more: Any) -> Approach:
+        found = real(*given, **more)
+        tried.append((*more["precisions"], found.bits))
+        return found
+
+    monkeypatch.setattr(sides, "followed", noted)
+    close = {"p": "1/2", "b": "-1000000001/1000000000"}  # to the distinguished trajectory, which has b = -1 there
+    row, open_at_first = approach_table(MODEL, [STATES[0], close], FIXED)
+    monkeypatch.undo()
+    assert [bits for *_, bits in tried] == [64, 160]
+    assert tried[0][1:-1] == PRECISIONS
+    for each, values in ((row, STATES[0]), (open_at_first, close)):
+        agrees(each, "model system", {}, {**FIXED, **values})
+        assert each.outcome == "settled"
+
+
+def test_rows_of_other_parameters_share_nothing_that_depends_on_them() -> None:
+    """What is compiled for a row is not taken for the next one of other parameters, nor for the first one again."""
+    values = ["-3/2", "-5/2", "-3/2"]
+    found = list(approach_table(MODEL, [{**STATES[0], "alpha_3": value} for value in values], FIXED))
+    for row, value in zip(found, values, strict=True):
+        beta = dict(row.numbers)["beta"]
+        assert beta is not None
+        assert beta.to_ball().contains(-fmpq(*map(int, value.split("/"))))
+    assert replace(found[2], number=1) == found[0]

@@ -1,0 +1,54 @@
+"""What following slip needs of one mechanism at one precision, compiled once: rows of a table share it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+from gspot_verified.integrator.field.field import VectorField
+from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
+from gspot_verified.mechanisms.derive.to_system import Shifted
+from gspot_verified.numbers.balls import current_bits
+
+_KEPT = 8  # mechanisms and precisions
+
+
+@dataclass(frozen=True)
+class SlipPrograms:
+    """The flow, its values on boxes, and the hypotheses; nothing of any state."""
+
+    flow: SlipFlow
+    numbers: SlipNumbers
+    hypotheses: SlipHypotheses
+
+    @cached_property
+    def desingularised(self) -> VectorField:
+        """:meth:`SlipFlow.desingularised`."""
+        return self.flow.desingularised()
+
+    @cached_property
+    def by_p(self) -> VectorField:
+        """:meth:`SlipFlow.by_p`."""
+        return self.flow.by_p()
+
+
+def slip_programs(shifted: Shifted) -> SlipPrograms:
+    """The programs of a mechanism; constants that are balls have the precision in force, so each precision has its own.
+
+    >>> from gspot_verified.mechanisms.derive.to_system import shift
+    >>> from gspot_verified.mechanisms.shipped import shipped_mechanism
+    >>> from gspot_verified.numbers.balls import working_bits
+    >>> model = shift(shipped_mechanism("model system"))
+    >>> with working_bits(100):
+    ...     first = slip_programs(model)
+    ...     slip_programs(model) is first
+    True
+    """
+    return _at_precision(shifted, current_bits())
+
+
+@lru_cache(_KEPT)
+def _at_precision(shifted: Shifted, bits: int) -> SlipPrograms:  # noqa: ARG001
+    flow = SlipFlow.of(shifted)
+    return SlipPrograms(flow, SlipNumbers(flow), SlipHypotheses(shifted))
