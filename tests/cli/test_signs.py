@@ -199,7 +199,8 @@ def test_zeros_at_finite_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "zeros", "--beta", "5", "--eps", "32", "--json")
     assert (code, json.loads(output)["number"]) == (0, 1)
     code, output, errors = run(capsys, "zeros", "--beta", "17/4..35/8", "--eps", "1", "--json")
-    assert (code, json.loads(output)["rows"][0]["stretches"]) == (0, [{"beta": ["17/4", "35/8"], "numbers": [2]}])
+    stretch = {"beta": ["17/4", "35/8"], "fold_inside": False, "numbers": [2]}
+    assert (code, json.loads(output)["rows"][0]["stretches"]) == (0, [stretch])
     assert "1 settled" in errors
     code, output, _ = run(capsys, "zeros", "--beta", "17/4..35/8", "--eps", "1", "--budget", "0")
     assert (code, output.startswith("undecided")) == (2, True)

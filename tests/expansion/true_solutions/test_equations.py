@@ -171,7 +171,7 @@ def test_the_coefficients_hold_those_at_every_smaller_delta(
     with working_bits(128):
         found = equations.coupling(arb(to_fmpq(s)), [arb(to_fmpq(size)) for size in tube])
         matrix = (equations.limit(arb(to_fmpq(s))) + found.matrix).table()
-        states = equations.states(arb(to_fmpq(s)), [arb(0, to_fmpq(size)) for size in tube])
+        states = equations.states(arb(to_fmpq(s)), [arb(to_fmpq(inside[name])) for name in NAMES])
     assert all(map(contains, states, x))  # xi* = 0
     assert all(state.abs_upper() < 12 * arb(largest) ** 2 for state in states)
     for i in range(10):
