@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, reduce
 from itertools import product
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 from flint import arb, fmpq
 
@@ -61,11 +61,20 @@ _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 class ChartedWay:
     """With a chart: ``cone`` holds p, b, y, v from all starts up to the hand-over, ``starts`` their states: those of
     its box ``around`` with these p, b, y, v; ``after`` holds the states from the hand-over to the end that the side
-    tells."""
+    tells, and ``later`` bounds the time between them, for every epsilon."""
 
     cone: Cone
     starts: Region
     after: tuple[arb, ...]
+    later: arb
+
+
+class _Passed(NamedTuple):
+    """Of one range of epsilon: the cone that holds p, b, y, v, and a bound of the time from the hand-over to the
+    end."""
+
+    cone: Cone
+    later: arb
 
 
 @dataclass(frozen=True)
@@ -129,19 +138,19 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     system = start.manifold.system
     order = max(_ORDER, 2 * int(near(system.beta).floor()) + 8)
     trajectory = expand_system(system.system(), order, _DIGITS)
-    residuals, prepared, cones = dict[fmpq, Residuals](), list(_prepared(start)), list[Cone]()
+    residuals, prepared, ways = dict[fmpq, Residuals](), list(_prepared(start)), list[_Passed]()
 
     def follow(least: fmpq, most: fmpq) -> SideEnd | str:
         level = _level(system, most)
         shared = residuals.setdefault(level, Residuals(trajectory, level))
-        return _followed(start, prepared, DeviationEquations(trajectory, most, least, shared), factor, cones)
+        return _followed(start, prepared, DeviationEquations(trajectory, most, least, shared), factor, ways)
 
     top = LARGEST_DELTA if system.chart is None else largest_delta(start.p, system.a)
     ends, failed = in_ranges(follow, top)
     delta = ends[-1].most if ends else smallest(top)
     shown, epsilon, way, place = joined(ends, delta), delta**3, None, ""
     if system.chart is not None and shown is not None:
-        way = _way(start, system.chart, cones, ends)
+        way = _way(start, system.chart, ways, ends)
         failed = failed if way is not None else "p, b, y, v are not certainly coordinates at the start"
         shown = None if way is None else every([shown, way.starts.evidence])
         place = "" if way is None else f" and the state in {_box_text(system.chart, way.starts)}"
@@ -162,16 +171,17 @@ def _side(start: AffineStart, factor: fmpq) -> AffineSide:
     return AffineSide(start, epsilon, side, Verdict.proved(statement, shown), way)
 
 
-def _way(start: AffineStart, chart: Chart, cones: Sequence[Cone], ends: Sequence[SideEnd]) -> ChartedWay | None:
+def _way(start: AffineStart, chart: Chart, ways: Sequence[_Passed], ends: Sequence[SideEnd]) -> ChartedWay | None:
     """Where the states are; None: it is not certain that the starts are states of the chart."""
-    p, force = ball(start.p), ball(start.force)
-    ray = ray_of(joined_cones(cones), p, force)
+    p, force, cone = ball(start.p), ball(start.force), joined_cones([one.cone for one in ways])
+    ray = ray_of(cone, p, force)
     chain = chart.chain(ray.pieces(_PIECES))
     if chain is None:
         return None
     starts = chart.region(replace(ray, first=rational_of(p.lower())).place, chain[-1])
     after = tuple(hull(values) for values in zip(*(end.states for end in ends), strict=True))
-    return None if starts is None else ChartedWay(joined_cones(cones), starts, after)
+    later = reduce(arb.max, (one.later for one in ways))
+    return None if starts is None else ChartedWay(cone, starts, after, later)
 
 
 def _box_text(chart: Chart, region: Region) -> str:
@@ -215,10 +225,10 @@ def _prepared(start: AffineStart) -> Iterator[_Prepared]:
 
 
 def _followed(
-    start: AffineStart, prepared: list[_Prepared], equations: DeviationEquations, factor: fmpq, cones: list[Cone]
+    start: AffineStart, prepared: list[_Prepared], equations: DeviationEquations, factor: fmpq, ways: list[_Passed]
 ) -> SideEnd | str:
-    """From p_1 to the end, for all delta of the equations, or what the last plan failed by; ``cones`` gets the one that
-    holds p, b, y, v."""
+    """From p_1 to the end, for all delta of the equations, or what the last plan failed by; ``ways`` gets where p, b,
+    y, v are on it."""
     failed = list[str]()
     for one in prepared:
         passed = _tube(start, one, largest_e(start.manifold.system.a, equations.exact_delta))
@@ -235,9 +245,14 @@ def _followed(
             continue
         whole = every([passed.evidence, ended.evidence])
         if whole is not None:
-            cones.append(passed.cone)
+            ways.append(_Passed(passed.cone, _later(ended, one.plan.place, start.manifold.mu)))
             return replace(ended, evidence=whole)
     return failed[-1] if failed else "no norm was tried"
+
+
+def _later(end: SideEnd, place: fmpq, mu: Exact) -> arb:
+    """delta^2 (S + s_+): the time from the hand-over to the end, at the largest delta of the range the longest."""
+    return (ball(end.most) ** 2 * (ball(place) + end.latest(end.most**3, mu))).upper()
 
 
 def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:

@@ -7,17 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import reduce
 from typing import NamedTuple
 
 from flint import arb
 
-from gspot_verified.expansion.chart.chart import Chart
+from gspot_verified.expansion.chart.chart import Chart, Region
 from gspot_verified.expansion.chart.radius import radius
 from gspot_verified.expansion.chart.taylor_rest import covered
 from gspot_verified.expansion.from_state.affine_side import AffineSide, affine_side
 from gspot_verified.expansion.from_state.affine_system import AffineSystem
 from gspot_verified.expansion.from_state.analytic import Analytic
 from gspot_verified.expansion.series.system import System
+from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.derivative import rewritten
 from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.mechanisms.approach.approach_plan import state_to_start_from
@@ -27,8 +29,8 @@ from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
-from gspot_verified.numbers.balls import add_remainder, ball, ball_text, working_bits
-from gspot_verified.numbers.evidence import every
+from gspot_verified.numbers.balls import add_remainder, ball, ball_text, float_bounds, rounded_text, working_bits
+from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.inner_text import in_inner_interval
 from gspot_verified.numbers.verdict import Reason, Verdict
 
@@ -131,6 +133,9 @@ def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], at: _At)
     boxes = covered(system.chart, way.cone)
     if boxes is None:
         return _open(side, "p, b, y, v are not certainly coordinates of the state on the way")
+    slowest = slowest_fall(system.chart, [region for _, region in boxes])
+    if slowest is None:
+        return _open(side, "p does not certainly fall on the way")
     for states in (*(region.states for _, region in boxes), way.after):
         whole = [arb(0)] * len(shifted.mechanism.state)
         for i, value in zip(active, states, strict=True):
@@ -142,7 +147,20 @@ def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], at: _At)
     evidence = every(shown)
     if evidence is None:
         return _open(side, "the hypotheses on the mechanism are not certain")
-    return replace(side, verdict=Verdict.proved(side.verdict.statement + _HELD, evidence))
+    latest = float_bounds(ball(side.start.p) / slowest + way.later)[1]
+    by = f"{_HELD}; all this within a time of {rounded_text(latest, 1)} from the start on"
+    return replace(side, verdict=Verdict.proved(side.verdict.statement + by, evidence))
+
+
+def slowest_fall(chart: Chart, regions: Sequence[Region]) -> arb | None:
+    """A positive number that -alpha_1 exceeds on all regions; None: it is not certain."""
+    program, found = BoxProgram([chart.system.alpha_1], len(chart.system.point)), list[arb]()
+    for region in regions:
+        (rate,) = program.mean_values(list(region.states))
+        if less(rate, 0) is None:
+            return None
+        found.append((-rate).lower())
+    return reduce(arb.min, found)
 
 
 def _open(side: AffineSide, why: str) -> AffineSide:

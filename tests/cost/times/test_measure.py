@@ -18,7 +18,7 @@ def test_clear_caches_finds_every_cache_of_theta() -> None:
     theta(-50, "1/2")
     theta(50, "1/2")
     theta(1, 3)
-    caches = [initial_values._cached, taylor._cached_polynomial, choice.saddle_plan]
+    caches = [initial_values.rational_initial_values, taylor._cached_polynomial, choice.saddle_plan]
     assert all(cache.cache_info().currsize > 0 for cache in caches)
     assert clear_caches() >= 6
     assert all(cache.cache_info().currsize == 0 for cache in caches)

@@ -11,12 +11,14 @@ from functools import cache
 
 import pytest
 from flint import arb, arb_mat, fmpq
+from samples.cones import cone_of
 
 from gspot_verified.expansion.chart.chart import Chart
 from gspot_verified.expansion.from_state.affine_hand_over import _slopes, affine_hand_over
 from gspot_verified.expansion.from_state.affine_side import (
     _box_text,
     _manifold,
+    _Passed,
     _prepared,
     _tube,
     _way,
@@ -30,13 +32,21 @@ from gspot_verified.expansion.residual import conditions_at
 from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.equations import DeviationEquations
+from gspot_verified.expansion.true_solutions.side_end import SideEnd
 from gspot_verified.functions.expressions import Constant, Expression
 from gspot_verified.numbers.balls import add_remainder, ball, working_bits
+from gspot_verified.numbers.evidence import less
 from tests.expansion.chart.folded import B, P, charted, folded
 
 HALF, DELTA, PLACE = fmpq(1, 2), fmpq(1, 400), fmpq(5)
 PLACE_OF_PLAN = fmpq(4)
 START = fmpq(1, 200)
+SHOWN = less(0, 1)
+assert SHOWN is not None
+END, LATER = (
+    SideEnd(fmpq(0), DELTA, 1, fmpq(1), cone_of(1), arb(2), arb(3), tuple(arb(k + more) for k in range(4)), SHOWN)
+    for more in (0, 5)
+)
 
 
 def rational(*value: int) -> Expression:
@@ -166,7 +176,7 @@ def test_the_starts_are_states_of_the_chart() -> None:
     with working_bits(128):
         chart = BY_CHART.chart
         assert chart is not None
-        way = _way(start, chart, [tube.cone])
+        way = _way(start, chart, [_Passed(tube.cone, arb(2)), _Passed(tube.cone, arb(3))], [END, LATER])
         assert way is not None
         p, b = ball(start.p), ball(start.b)
         x = (1 - (1 - 4 * p).sqrt()) / 2
@@ -174,8 +184,10 @@ def test_the_starts_are_states_of_the_chart() -> None:
             assert side.contains(value.mid())
             assert side.rad() < arb("1e-5")
         assert way.cone == tube.cone
+        assert way.later == 3
+        assert all(box.contains(k) and box.contains(k + 5) for k, box in enumerate(way.after))
         beyond = replace(start, p=fmpq(3, 10), b=fmpq(-3, 5))
-        assert _way(beyond, chart, [tube.cone]) is None
+        assert _way(beyond, chart, [_Passed(tube.cone, arb(2))], [END]) is None
 
 
 def test_the_starts_that_are_written_are_among_those_of_the_proof() -> None:
@@ -187,7 +199,7 @@ def test_the_starts_that_are_written_are_among_those_of_the_proof() -> None:
         p, b = (add_remainder(ball(value), abs(ball(value)) * arb((1, -20))) for value in (start.p, start.b))
         quotient = add_remainder(ball(start.force), ball(start.force) * arb((1, -22)))
         wide = replace(start, p=p, b=b, quotient=quotient)
-        way = _way(wide, chart, [tube.cone])
+        way = _way(wide, chart, [_Passed(tube.cone, arb(2))], [END])
         assert way is not None
         text = f"{states_text(wide)}; {_box_text(chart, way.starts)}"
         written = [[Fraction(end) for end in pair] for pair in re.findall(r" in \[([^,]+), ([^\]]+)\]", f" {text}")]

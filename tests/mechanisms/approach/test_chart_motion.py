@@ -15,7 +15,14 @@ from gspot_verified.expansion.chart.cone import Cone
 from gspot_verified.expansion.from_state.affine_side import AffineSide, ChartedWay
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.mechanisms.approach import chart_motion as module
-from gspot_verified.mechanisms.approach.chart_motion import _At, _charted, _checked, restricted, with_chart
+from gspot_verified.mechanisms.approach.chart_motion import (
+    _At,
+    _charted,
+    _checked,
+    restricted,
+    slowest_fall,
+    with_chart,
+)
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
 from gspot_verified.mechanisms.derive.slip_hypotheses import FRICTION, SlipHypotheses
 from gspot_verified.mechanisms.load import load
@@ -85,7 +92,7 @@ def near_side(states: list[arb]) -> tuple[AffineSide, list[int]]:
         start = SimpleNamespace(manifold=SimpleNamespace(system=system), **numbers)
         proved = Verdict.proved("so", SHOWN)
         after = tuple(ball(value) for value in spot().system.point)
-        side = AffineSide(start, fmpq(1), "impact", proved, ChartedWay(cone, region, after))  # type: ignore[arg-type]
+        side = AffineSide(start, fmpq(1), "impact", proved, ChartedWay(cone, region, after, arb(7)))  # type: ignore[arg-type]
         return side, [0, 1, 2, 3]
 
 
@@ -101,6 +108,8 @@ def test_the_state_of_rigid_slip_must_be_a_start() -> None:
     side, active = near_side(STATES)
     with working_bits(256):
         assert _checked(spot().shifted, side, active, at(INSIDE)).side == "impact"
+        told = _checked(spot().shifted, side, active, at(INSIDE)).verdict.statement
+        assert told.endswith("; all this within a time of 7.01 from the start on")  # 7, and .001 over 2/5 or so
         for outside in (arb("0.22"), arb("0.205", "0.01"), arb("nan")):
             found = _checked(spot().shifted, side, active, at([INSIDE[0], outside, *INSIDE[2:]]))
             assert found.side is None
@@ -109,6 +118,23 @@ def test_the_state_of_rigid_slip_must_be_a_start() -> None:
         outside_of_one = [("0.001002", "-0.003", "3"), ("0.001", "-0.0030010001", "3"), ("0.001", "-0.003", "3.0002")]
         for numbers in [*outside_of_one, ("nan", "-0.003", "3")]:
             assert _checked(spot().shifted, side, active, at(INSIDE, *numbers)).side is None
+
+
+def test_how_fast_p_falls_at_least() -> None:
+    with working_bits(256):
+        chart = Chart(restricted(spot(), [0, 1, 2, 3]))
+        star = [ball(value) for value in spot().system.point]
+        (at_star,) = BoxProgram([spot().system.alpha_1], 4).values(star)
+
+        def region(width: str) -> Region:
+            return Region((), (), tuple(arb(value, width) for value in star), None, SHOWN)  # type: ignore[arg-type]
+
+        alone, both = slowest_fall(chart, [region("1e-9")]), slowest_fall(chart, [region("1e-9"), region("0.005")])
+        assert alone is not None
+        assert both is not None
+        assert both < alone < -at_star
+        assert alone > -at_star - arb("1e-6")
+        assert slowest_fall(chart, [region("1e-9"), region("1")]) is None
 
 
 def test_the_hypotheses_are_asked_on_the_whole_way(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -43,7 +43,7 @@ def asked(bound: fmpq = BOUND, states: dict[str, arb] | None = None, **start: An
     whole = {"p": P, "b": -FORCE * P, "force": FORCE, "excess": arb("1.4", "0.1"), "within": fmpq(1, 100)} | start
     region = Region((), tuple((STATES | (states or {})).values()), (), None, SHOWN)  # type: ignore[arg-type]
     side = AffineSide(
-        SimpleNamespace(**whole), bound, "lift-off", Verdict.proved("so", SHOWN), ChartedWay(None, region, ())  # type: ignore[arg-type]
+        SimpleNamespace(**whole), bound, "lift-off", Verdict.proved("so", SHOWN), ChartedWay(None, region, (), arb(0))  # type: ignore[arg-type]
     )  # fmt: skip
     return replace(rigid(), explicit=side, reached="0.25")
 
