@@ -136,16 +136,16 @@ class DeviationEquations:
             total = total * self.small + term(s)
         return total * self.small**first
 
-    def states(self, s: arb, tube: Sequence[arb]) -> list[arb]:
-        """The states with e_xi in ``tube``."""
-        square = self.small * self.small
+    def states(self, s: arb, deviations: Sequence[arb]) -> list[arb]:
+        """The states for |e_i| <= |deviations_i| (those of xi matter): what bounds e at delta_0 does at each delta."""
+        square, tube = self.small * self.small, _around_zero(deviations)
         return [value + square * (self.expansion(f"xi_{i + 1}", s) + tube[i]) for i, value in enumerate(self.point)]
 
     def coupling(self, s: arb, deviations: Sequence[arb]) -> Coupling:
         """The coefficients for |e_i| <= |deviations_i| (those of xi and p matter)."""
         m, square = self.dimension, self.small * self.small
-        tube = [add_remainder(arb(0), value.abs_upper()) for value in deviations]
-        values, slopes = self._functions.gradients(self.states(s, tube))
+        tube = _around_zero(deviations)
+        values, slopes = self._functions.gradients(self.states(s, deviations))
         drifts, controls, (first, second, third) = slopes[:m], slopes[m : 2 * m], slopes[2 * m :]
         control, alpha_3 = values[m : 2 * m], values[2 * m + 2]
         force = self.expansion("lambda_n", s)
@@ -197,3 +197,7 @@ class DeviationEquations:
         constants = self.residuals.constants(reach)
         names = [*(f"xi_{i + 1}" for i in range(self.dimension)), "p", "b", "y", "v"]
         return [constants[name] for name in names], constants["z"]
+
+
+def _around_zero(deviations: Sequence[arb]) -> list[arb]:
+    return [add_remainder(arb(0), value.abs_upper()) for value in deviations]

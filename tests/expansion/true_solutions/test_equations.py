@@ -171,8 +171,8 @@ def test_the_coefficients_hold_those_at_every_smaller_delta(
     with working_bits(128):
         found = equations.coupling(arb(to_fmpq(s)), [arb(to_fmpq(size)) for size in tube])
         matrix = (equations.limit(arb(to_fmpq(s))) + found.matrix).table()
-        states = equations.states(arb(to_fmpq(s)), [arb(to_fmpq(inside[name])) for name in NAMES])
-    assert all(map(contains, states, x))  # xi* = 0
+        states = equations.states(arb(to_fmpq(s)), [arb(to_fmpq(size)) for size in tube])
+    assert all(map(contains, states, x))  # xi* = 0; at smaller deviations too
     assert all(state.abs_upper() < 12 * arb(largest) ** 2 for state in states)
     for i in range(10):
         for j in range(10):
