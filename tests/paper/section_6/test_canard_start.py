@@ -18,3 +18,12 @@ def test_the_certified_run_takes_the_impact_that_the_claim_names() -> None:
     claim = next(claim for claim in paper_claims() if claim.first == 2234)
     assert "a certified run takes an impact: λ_N is more than 1000 times that of rigid slip" in claim.why
     assert "at the start by t = 0.02404" in claim.why
+
+
+@pytest.mark.slow
+def test_the_second_start_takes_the_impact_sooner_after_p_is_0() -> None:
+    """As the claim says of the third one, that it follows the expansion further."""
+    run = certified_run(load_scene("oscillator", phi_dot="-1/2", until="137/1000"))
+    assert [event.name for event in run.events] == [IMPACT]
+    assert "by t = 0.13667" in str(run)
+    assert "0.0015 after p = 0 in a certified run" in next(claim for claim in paper_claims() if claim.first == 2234).why
