@@ -52,6 +52,11 @@ PROPERTIES = {
     "lead rapidly": r"rapid|ε\^",
     "corners": "corner",
     r"diverges\s+to\s+\$-": "-∞",
+    "special polynomial classes": r"y_\(n-4\)",
+    "three freedoms": "three freedoms",
+    "transitions from slip": "transition",
+    "further into": "further into",
+    "is conceivable that in": "can be",
 }
 """A property that a sentence claims, where it is no part of a name, and how a row says it: qualifying words too."""
 
@@ -167,6 +172,26 @@ def test_a_property_that_a_sentence_claims_is_named_by_its_row() -> None:
     assert (1166, "stab") in unsaid_properties(lines, silent)
     at_last = [replace(claim, words="some lift off", why="") if claim.first == 775 else claim for claim in claims]
     assert {(775, "[Ii]mmediately"), (775, "rapid|ε\\^")} <= set(unsaid_properties(lines, at_last))
+
+
+def without_a_work(lines: Sequence[str], claims: Sequence[PaperClaim]) -> list[int]:
+    """The sentences of rows on other works that name none, in them or in the three lines before."""
+    found = []
+    for claim in (claim for claim in claims if claim.why == "a statement about other works"):
+        for sentence in (sentence for sentence, _ in marked(KEPT) if rows_of(sentence, [claim])):
+            if not any(r"\cite" in line for line in lines[sentence.first - 4 : sentence.last + 1]):
+                found.append(sentence.first)
+    return found
+
+
+def test_a_statement_about_other_works_names_one() -> None:
+    """What the paper holds to be possible is open; it is not said of another work."""
+    if not PAPER.is_file():
+        pytest.skip("the paper's source is not at hand")
+    lines, claims = PAPER.read_text(encoding="utf-8").splitlines(), paper_claims()
+    assert without_a_work(lines, claims) == []
+    longer = [replace(claim, first=2288) if claim.first == 2291 else claim for claim in claims]
+    assert without_a_work(lines, longer) == [2288]
 
 
 def test_a_sentence_without_a_row_is_seen() -> None:
