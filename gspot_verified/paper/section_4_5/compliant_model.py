@@ -32,6 +32,7 @@ from gspot_verified.paper.checks.closed_forms import ClosedForm
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of, same_sign
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, put
 from gspot_verified.paper.checks.page import Page
+from gspot_verified.paper.section_4 import section_4_outer as outer
 from gspot_verified.theta_function.sums.quadrature import holomorphic_integral
 
 SECTION = Section("Section 4.5")
@@ -48,6 +49,8 @@ HYPOTHESES: dict[str, dict[str, str]] = {
 DEVIATION = "-C_1/Gamma(1-beta)"
 """On the slow manifold λ̂ is this times a positive integral (β < 1), and λ̂ minus its value at leading order is this
 times a positive integral (β < 5)."""
+WEIGHT = {"power": "-beta-1", "exponent": "k - k^2/2 - k^3/3"}
+"""The integrand r^power e^(ψ(r)/(ε|α_1|) + rt/ε) of b̂; ψ(r) is the exponent, with k for r, less log(1 + r)."""
 BETAS = (fmpq(3, 2), fmpq(5, 2), fmpq(7, 2))
 BELOW_ONE = (fmpq(1, 2), fmpq(3, 4), fmpq(9, 10))
 """β of Cases I and II with a whole 1/(1 - β): the quadrature has no branch point."""
@@ -93,7 +96,31 @@ def exponents_of_the_units() -> bool:
     return all(-beta + 2 * (beta - 1) / 3 == -1 - (beta - 1) / 3 for beta in (fmpq(2), fmpq(7, 2)))
 
 
-MONOTONE = Page("monotone", (coefficients_of_the_exponential, orders_of_the_polynomial, exponents_of_the_units))
+def integrand_solves_the_equation() -> bool:
+    """eq. modelSysDev under the integral, t e^(rt/ε) = ε d/dr e^(rt/ε), is a derivative in r: α_1 = -x, α_3 = -β x.
+
+    With a + t c for the equation and w for the integrand at t = 0 that is a w = ε (c w)', here times r (1 + r) x.
+    """
+    read, r, x, epsilon = outer.ALGEBRA.read, *(outer.ALGEBRA.symbols[name] for name in ("k", "x", "epsilon"))
+    equation = outer.ALGEBRA.substitute(
+        read(outer.PRINTED["4-deviation"]["equation"]), {"alpha1": -x, "alpha3": read("-beta*x")}
+    )
+    powers = [epsilon ** (4 - order) * r**order for order in range(5)]
+    in_time = outer.ALGEBRA.coefficients(outer.ALGEBRA.replaced(equation, "b", powers, read("0*k")), "t")
+    slope = read(WEIGHT["power"]) * (1 + r) * x * epsilon + r * ((1 + r) * read(WEIGHT["exponent"]).derivative("k") - 1)
+    by_parts = epsilon * x * r * (1 + r) * in_time[1].derivative("k") + in_time[1] * slope
+    return set(in_time) == {0, 1} and bool(in_time[0] * r * (1 + r) * x == by_parts)
+
+
+def force_is_its_derivative() -> bool:
+    """α_3 λ̂ = -b̂', α_3 = -β x, and b̂ is C_1/Γ(-β) times the integral: λ̂ has the factor C_1/(β Γ(-β))."""
+    force = outer.ALGEBRA.read(outer.PRINTED["4-deviation-recover"]["lambda"])
+    factor = closed_form(DEVIATION) / closed_form("C_1/(beta*Gamma(-beta))")
+    return bool(force == -outer.ALGEBRA.symbols["b1"]) and factor.is_one()
+
+
+STEPS = (coefficients_of_the_exponential, orders_of_the_polynomial, exponents_of_the_units)
+MONOTONE = Page("monotone", (integrand_solves_the_equation, force_is_its_derivative, *STEPS))
 
 
 def _claim(identifier: str) -> FormulaClaim:

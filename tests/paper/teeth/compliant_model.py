@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from flint import fmpq
-from paper.bite import Bite, NotApplicable, Teeth, raised, scaled, unseen_at
+from paper.bite import Bite, Teeth, raised, replaced, scaled, unseen_at
 
+from gspot_verified.paper.section_4 import section_4_outer as outer
 from gspot_verified.paper.section_4_5 import compliant_model as ledger
 
-_POSITIVE_FACTOR = "a claim about a sign: a factor near 1 keeps it"
 _PRINTED, _HYPOTHESES = ledger.PRINTED, ledger.HYPOTHESES
 
 ENTRIES = ledger.ENTRIES
@@ -18,8 +18,16 @@ def one_at_a_half(honest: str) -> str:
     return f"(1-8*(beta-1/2)^2)*({honest})"
 
 
+MODEL = (
+    Bite("factor", outer.PRINTED["4-deviation"], "equation", replaced("2*epsilon^2*b3", "3*epsilon^2*b3")),
+    Bite("factor", outer.PRINTED["4-deviation-recover"], "lambda", lambda _: "b1"),
+    Bite("hidden factor", ledger.WEIGHT, "exponent", unseen_at("k", (0, 1))),
+    Bite("order", ledger.WEIGHT, "power", lambda text: f"{text} + 1"),
+)
+"""Another equation of the deviations, or another integrand, than those that go together."""
 TEETH: Teeth = {
     "C-cases-I-II": (
+        *MODEL,
         Bite("factor", ledger, "DEVIATION", scaled),
         Bite("hidden factor", _PRINTED["C-cases-I-II"], "side", one_at_a_half),
         Bite("hidden factor", ledger, "DEVIATION", one_at_a_half),
@@ -29,6 +37,7 @@ TEETH: Teeth = {
         Bite("factor", _PRINTED["C-cases-I-II"], "side", lambda _: "-1", refutes=True),
     ),
     "C-iwc-case-III": (
+        *MODEL,
         Bite("factor", ledger, "BELOW", lambda share: share * fmpq(102, 100)),
         Bite("hidden factor", _PRINTED["C-iwc-case-III"], "side", unseen_at("beta", ("3/2", "5/2", "7/2"))),
         Bite("hypothesis", _HYPOTHESES["C-iwc-case-III"], "beta", lambda _: "6*v"),
@@ -36,7 +45,7 @@ TEETH: Teeth = {
         Bite("order", ledger, "lower_terms", lambda honest: lambda b: honest(b)[:-1]),
     ),
     "C-lift-off": (
-        NotApplicable("factor", _POSITIVE_FACTOR),
+        *MODEL,
         Bite("hidden factor", _PRINTED["C-lift-off"], "side", unseen_at("beta", ("3/2", "5/2", "7/2"))),
         Bite("hypothesis", _HYPOTHESES["C-lift-off"], "beta", lambda _: "6*v"),
         Bite("order", _PRINTED["C-lift-off"], "side", raised("C_1")),
