@@ -7,9 +7,12 @@ from functools import partial
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, Section
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
 from gspot_verified.paper.section_2.extended_system import extended_terms
+from gspot_verified.paper.section_4 import section_4_trivial as trivial
+from gspot_verified.paper.section_4.section_4_outer import ALGEBRA as MODEL
+from gspot_verified.paper.section_5 import double_series
 from gspot_verified.paper.section_5.double_series import example_series, scaled_series
 
 SECTION = Section("Section 5, example")
@@ -57,7 +60,7 @@ _LATEX = {
     "v": r"\tilde{\bar v}=-16\chi\delta^2-96\chi^2s\delta^4+48\chi^2\delta^5-\ldots+O(\delta^7)",
     "z": r"\tilde{\bar z}=-2-8\chi s\delta^2+8\chi\delta^3-\ldots+O(\delta^7)",
 }
-_ORDERS = 9
+_ORDERS, _FURTHER = 9, 12
 
 
 def by_recursion(name: str, orders: int) -> fmpq_mpoly:
@@ -158,7 +161,70 @@ def _zbar() -> Entry:
         "For χ = 1 the expansion of z is the printed polynomial in t and ε, in all three forms",
         this.check("Theorem 1's recursion through δ⁶ with t = δ² s, ε = δ³", recursion),
         this.check("power series in (t, ε): all terms below the stated error", direct),
-        note="6672/5 = 6912/5 - 48. χ = 0 gives the trivial solution, with the corrected sign of 2-trivial-zy.",
+        note="6672/5 = 6912/5 - 48. χ = 0: 5-example-trivial.",
+    )
+
+
+def at_chi_0(name: str) -> fmpq_mpoly | None:
+    """The printed series of a variable for χ = 0, in t and ε; ``None`` where it has other powers of them."""
+    series = ALGEBRA.substitute(ALGEBRA.read(PRINTED[f"5-example-{name}"]["series"]), {"chi": ALGEBRA.constant(0)})
+    total = MODEL.constant(0)
+    for n, in_s in ALGEBRA.coefficients(series, "delta").items():
+        for k, number in ALGEBRA.coefficients(in_s, "s").items():
+            power, rest = divmod(n + double_series.POWER_OF_DELTA[name] - 2 * k, 3)
+            if rest or power < 0:
+                return None
+            total += MODEL.bring(number) * MODEL.symbols["t"] ** k * MODEL.symbols["epsilon"] ** power
+    return total
+
+
+def in_the_example(value: fmpq_mpoly) -> fmpq_mpoly:
+    """The value for the α's of the example; c is α_2/(α_1 - α_3)."""
+    first, second, third = double_series.ALPHA
+    numbers = {"alpha1": first, "alpha2": second, "alpha3": third, "c": second / (first - third)}
+    return MODEL.substitute(value, {name: MODEL.constant(number) for name, number in numbers.items()})
+
+
+def is_the_trivial_solution() -> bool:
+    """Whether each series for χ = 0 is what 2-trivial and 2-trivial-zy have."""
+    texts = trivial.PRINTED["2-trivial"] | trivial.CORRECTED["2-trivial-zy"]
+    return all(at_chi_0(name) == in_the_example(MODEL.read(text)) for name, text in texts.items())
+
+
+def solves_the_motivating_example() -> bool:
+    """Whether the series for χ = 0 solve modelsys1 to modelsys5 in contact, with v = 0, y and z constant."""
+    found = {name: value for name in "pbyvz" if (value := at_chi_0(name)) is not None}
+    if len(found) < len("pbyvz"):
+        return False
+    at_rest = [found["v"], *(found[name].derivative("t") for name in "yz")]
+    return all(in_the_example(value).is_zero() for value in (*at_rest, *trivial.in_model_system(found)))
+
+
+def further_terms_vanish() -> bool:
+    """Whether the recursion for χ = 0 has no term of the orders 1, ..., 11, for symbols α_1, α_3, c."""
+    terms = extended_terms(_FURTHER, chi=False)
+    return not any(a != 0 for name in "pbyvz" for row in terms[name][1:] for a in row)
+
+
+def _trivial() -> Entry:
+    return SECTION.settled(
+        "5-example-trivial",
+        "lines 1885 to 1886",
+        r"\chi=0:\ \bar p=\alpha_1^*t,\ \bar b=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}\alpha_1^*t,\ \bar v=0",
+        "For χ = 0 the printed expansions of the example are the trivial solution, with the corrected z and y of "
+        "2-trivial-zy",
+        Rung.EXACT.check(
+            "the five printed series with χ = 0, in t and ε, against the formulas of the trivial solution",
+            is_the_trivial_solution(),
+        ),
+        Rung.EXACT.check(
+            "the five printed series with χ = 0 put into modelsys1 to modelsys5; v = 0, y and z constant",
+            solves_the_motivating_example(),
+        ),
+        Rung.POINTS.check(
+            f"Theorem 1's recursion for χ = 0: no term of the orders 1 to {_FURTHER - 1}, symbols α_1, α_3, c",
+            further_terms_vanish(),
+        ),
     )
 
 
@@ -169,6 +235,7 @@ ENTRIES: Builders = {
     "5-example-y": partial(_series, "y"),
     "5-example-v": partial(_series, "v"),
     "5-example-z": partial(_series, "z"),
+    "5-example-trivial": _trivial,
     "5-example-zbar": _zbar,
 }
 """The printed series, in the order of the paper."""

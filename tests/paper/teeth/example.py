@@ -39,6 +39,13 @@ TEETH: Teeth = {
         OTHER_SYSTEM,
         Bite("order", B_ERROR, "error", raised("delta")),
     ),
+    "5-example-trivial": (
+        *(Bite("factor", ledger.PRINTED[f"5-example-{name}"], "series", scaled, refutes=True) for name in "pbyz"),
+        Bite("hidden factor", ledger.PRINTED["5-example-p"], "series", unseen_at("s", (0, 1)), refutes=True),
+        Bite("hidden factor", ledger.PRINTED["5-example-v"], "series", lambda text: f"{text} + s*(s-1)"),
+        OTHER_SYSTEM,
+        Bite("order", ledger.PRINTED["5-example-z"], "series", raised("delta"), refutes=True),
+    ),
     "5-example-zbar": (
         *(Bite("factor", ZBAR, part, scaled) for part in ("scaled", "first", "second")),
         *(Bite("hidden factor", ZBAR, part, unseen_at("t", (0, 1))) for part in ("first", "second")),
