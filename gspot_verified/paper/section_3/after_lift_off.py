@@ -14,6 +14,7 @@ from gspot_verified.numbers.balls import ball_text, certainly_less, hull, sign_o
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of, same_sign
 from gspot_verified.paper.numerics.paper_state import paper_state
+from gspot_verified.paper.numerics.slow_flights import LATEST
 
 DIGITS = 12
 _SIDE_BITS = 60
@@ -92,7 +93,7 @@ def _one_flight() -> Entry:
         ),
         note="The last section of the paper leaves open whether contact is lost again, even infinitely often: in these "
         "runs of the model system it is not. On the slow manifold this is proved for β = 3/2 and 5/2 and every "
-        "ε <= 1/100 at once, for lift-off late enough (proofs/flight.md, section 5).",
+        f"ε <= 1/100 at once, for a lift-off that is late enough and has t <= {LATEST} (proofs/flight.md, section 5).",
     )
 
 

@@ -76,14 +76,15 @@ def _sides() -> Entry:
         "lines 782 to 785",
         r"\text{lower } b(0) \text{ take an impact in panel (b)},\ \text{higher } b(0) \text{ in panel (c)}",
         "At ε = 1/1000, of the starts ν = 1/4, 1/2, 2, 4, those with b(0) below that of the trivial solution take an "
-        "impact for β = 3/2, and those with b(0) above it for β = 5/2",
+        "impact without a lift-off before it for β = 3/2, and those with b(0) above it for β = 5/2",
         _check(
             "proofs/contact_motion.md, section 1: λ_N from the system, in steps of 3/100 until 7/100 after", by_steps
         ),
         _check("proofs/contact_motion.md, section 2: λ_N from modelSysDev, one series at the G-spot", at_the_end),
-        corrected="β = 3/2: those above it take an impact, those below lift off; β = 5/2: the other way round. The "
-        "sentence is right for |b(0)|, as all b(0) are negative",
-        note="For ε → 0 this is the side of Sec. 4.5: an impact for C_1/Γ(-β) > 0, Γ(-3/2) > 0 > Γ(-5/2).",
+        corrected="β = 3/2: those above it take an impact, those below lift off first; β = 5/2: the other way round. "
+        "The sentence is right for |b(0)|, as all b(0) are negative",
+        note="The runs that lift off take an impact afterwards: 3-after-lift-off. For ε → 0 this is the side of Sec. "
+        "4.5: an impact for C_1/Γ(-β) > 0, Γ(-3/2) > 0 > Γ(-5/2).",
     )
 
 

@@ -10,6 +10,7 @@ from flint import arb, fmpq
 
 from gspot_verified.compliant.motion.run import ONE_FLIGHT
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.numerics import slow_flights
 from gspot_verified.paper.section_3 import after_lift_off, section_3
 
 
@@ -102,3 +103,10 @@ def test_the_statement_names_what_is_checked(monkeypatch: pytest.MonkeyPatch) ->
     assert f"0 < -v < {after_lift_off.MOST} ε^({after_lift_off.POWER})" in entry.statement
     assert f"0 < b < {after_lift_off.MOST_FREE} ε^({after_lift_off.FREE_POWER})" in entry.statement
     assert f"less than {after_lift_off.MOST_TIME} ε^({after_lift_off.TIME_POWER}) after the G-spot" in entry.statement
+    assert f"late enough and has t <= {slow_flights.LATEST} (proofs/flight.md, section 5)" in entry.note
+
+
+def test_a_lift_off_can_be_too_late_for_the_note() -> None:
+    """What it repeats is proved up to a time, and not much later."""
+    assert slow_flights.one_flight("3/2", "1/100", 2).outcome is Outcome.PROVED
+    assert slow_flights.one_flight("3/2", "1/100", 2, "1/3").outcome is Outcome.UNDECIDED

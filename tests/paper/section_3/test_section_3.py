@@ -8,7 +8,10 @@ from typing import Any
 import pytest
 from flint import arb, fmpq
 
-from gspot_verified.paper.section_3 import section_3
+from gspot_verified.compliant.motion.run import ONE_FLIGHT
+from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.claims import paper_claims
+from gspot_verified.paper.section_3 import after_lift_off, section_3
 
 BETA = fmpq(3, 2)
 
@@ -22,12 +25,27 @@ def test_the_statement_names_what_is_checked() -> None:
     lower, higher = section_3.IMPACT["printed"]
     assert entry.statement == (
         f"At ε = {section_3.EPS}, of the starts ν = {', '.join(map(str, section_3.FACTORS))}, those with b(0) below "
-        f"that of the trivial solution take an impact for β = {lower}, and those with b(0) above it for β = {higher}"
+        f"that of the trivial solution take an impact without a lift-off before it for β = {lower}, and those with "
+        f"b(0) above it for β = {higher}"
     )
     assert section_3.IMPACT["printed"] == {lower: -1, higher: 1}
     assert section_3.IMPACT["corrected"] == {lower: 1, higher: -1}
     assert f"until {section_3.END} after" in entry.checks[0].what
     assert [section_3.mean_force(beta) for beta in (lower, higher)] == [2, fmpq(2, 3)]
+
+
+def test_an_impact_after_a_lift_off_is_not_meant() -> None:
+    """With it the refuted sentence would be true: the starts that it names lift off, and take an impact then."""
+    for beta, side in section_3.IMPACT["printed"].items():
+        nu = fmpq(2) if side < 0 else fmpq(1, 2)
+        run = after_lift_off.run_of(beta, nu, section_3.EPS)
+        assert (run.verdict.outcome, run.verdict.statement) == (Outcome.PROVED, ONE_FLIGHT)
+        assert "an impact" in ONE_FLIGHT
+    entry = section_3.ENTRIES["3-sides"]()
+    assert "without a lift-off before it" in entry.statement
+    assert "lift off first" in entry.corrected
+    (claim,) = (claim for claim in paper_claims() if "3-sides" in claim.entries)
+    assert "without a lift-off before it" in claim.words
 
 
 @pytest.mark.parametrize(

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
+from itertools import pairwise
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from flint import arb, fmpq
 
+from gspot_verified.compliant.motion.compliant_force import contact_motion
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.numerics import at_the_g_spot
 from gspot_verified.paper.section_3 import table_1 as ledger
 
 HALF = fmpq(1, 2 * 10**4)
@@ -164,6 +168,26 @@ def test_a_number_that_series_of_small_epsilon_do_not_give() -> None:
         assert [ledger.can_be_the_number(text, name, beta, e) for e in (largest, 2 * largest)] == [False, None]
         assert all(max(ledger.epsilons(series)) > largest for series in ledger.SERIES[name, beta])
         assert str(largest) in ledger._notes(name, beta)
+
+
+def test_where_the_oscillations_show() -> None:
+    """The slopes from one ε to the next, as measured and of the slow part; at ε = 1/2500 it is all there is."""
+    beta, numbers = BETAS[2], (1000, 1050, 1100, 1200)
+    pairs = list(pairwise(numbers))
+    whole = [ledger.slope("b", beta, (first, fmpq(last, first), 2)) for first, last in pairs]
+    motions = {n: contact_motion(*at_the_g_spot._run(beta, ledger.NU, fmpq(1, n))) for n in (*numbers, 2500)}
+    parts = {n: motion.hats(fmpq(0), 60, ("b",)) for n, motion in motions.items()}
+    with working_bits(96):
+        slow = [
+            (abs(parts[first][0]["b"]) / abs(parts[last][0]["b"])).log() / arb(fmpq(last, first)).log()
+            for first, last in pairs
+        ]
+        assert abs(parts[2500][1]["b"]) < abs(parts[2500][0]["b"]) * fmpq(1, 10**12)
+    shown = [*(found for found in whole if found is not None), *slow]
+    assert re.findall(r"1\.\d{4}", ledger.WAVES) == [ledger.decimals(found) for found in shown]
+    assert re.findall(r"1/(\d+)", ledger.WAVES) == list(map(str, numbers))
+    assert ledger.WAVES in ledger._notes("b", beta)
+    assert not any("oscillations" in ledger._notes(*key) for key in ledger.SERIES if key != ("b", beta))
 
 
 def test_formulas_at_one_beta() -> None:
