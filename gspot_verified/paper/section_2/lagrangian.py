@@ -12,10 +12,10 @@ from gspot_verified.functions.expressions import Constant, Expression, Variable
 from gspot_verified.functions.power_series import SeriesOfFunctions
 from gspot_verified.functions.symbols import RationalFunction, Symbols
 from gspot_verified.paper.checks.entry import Builders, Entry, Section
-from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
+from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising_signs
 
 SECTION = Section("Section 2")
-_NAMES = "x1 x2 x3 x4 x5 x6 alpha1 alpha2 alpha3 chi c lam a kplus kminus pminus"
+_NAMES = "x1 x2 x3 x4 x5 x6 alpha1 alpha2 alpha3 chi c lam a kplus kminus pminus d"
 ALGEBRA = Algebra(_NAMES)
 _SYMBOLS = ALGEBRA.symbols
 _STATE = tuple(f"x{i}" for i in range(1, 7))
@@ -37,6 +37,22 @@ PRINTED: dict[str, dict[str, str]] = {
     "2-extended": {**_FIELDS, "k+": "-1", "k-": "2", "p-": "1", "a": "0*x1"},
     "2-stick": {"numerator": "kminus*lam + a", "denominator": "(kminus-kplus)*lam"},
 }  # fmt: skip
+
+
+BELOW_ONE = {"x5": "1 - d"}
+"""p < 1, by d > 0."""
+APART = {"kminus": "kplus + d"}
+"""k⁺ < k⁻, by d > 0."""
+_UNDEFINED = "At ξ_5 = 1 the printed G_T is not defined."
+
+
+def _under(value: fmpq_mpoly, hypothesis: dict[str, str]) -> fmpq_mpoly:
+    """The value for what a hypothesis allows."""
+    return ALGEBRA.substitute(value, {name: ALGEBRA.read(text) for name, text in hypothesis.items()})
+
+
+def _zero_if(holds: bool) -> fmpq_mpoly:
+    return ALGEBRA.constant(0 if holds else 1)
 
 
 def _field(parts: Parts, letter: str) -> list[fmpq_mpoly]:
@@ -154,6 +170,7 @@ def _lagrangian() -> Entry:
         "The extended example satisfies both relations, and L_{G_N} u = L_{G_T} v",
         this.check("Lie derivatives as polynomials, denominators cleared", _relations),
         this.check("first coefficients of power series along the fields, rational functions", _relations_by_flow),
+        note=_UNDEFINED,
     )
 
 
@@ -167,6 +184,7 @@ def _quantities() -> Entry:
         "α_2 = α_2* and α_3 = α_3*",
         this.check("Lie derivatives as polynomials, denominators cleared", _quantity_residuals),
         this.check("first coefficients of power series along the fields, rational functions", _quantities_by_flow),
+        note=_UNDEFINED,
     )
 
 
@@ -190,14 +208,23 @@ def _extended() -> Entry:
         # lambda_T = -(2 c - 1) mu lambda_N: -mu in positive, +mu in negative slip, between in stick.
         share, force = (2 * _SYMBOLS["c"] - 1) * parts["mu"], _SYMBOLS["lam"]
         rows = zip(_field(parts, "F"), _field(parts, "N"), _field(parts, "H"), model(parts), strict=True)
-        return [_DENOMINATOR * (f + n * force - m) - share * h * force for f, n, h, m in rows]
+        friction = all(rising_signs(_under(value, BELOW_ONE)) for value in (parts["mu"], _DENOMINATOR))
+        return [
+            _zero_if(friction),
+            *(_DENOMINATOR * (f + n * force - m) - share * h * force for f, n, h, m in rows),
+        ]
 
     def by_forces(parts: Parts) -> list[fmpq_mpoly]:
         # Each normal force brings its own friction: -mu lambda+ forwards, +mu lambda- backwards.
         flow = _Flow(parts)
         mu = flow.number(parts["mu"])
         forward, backward = (flow.number(ALGEBRA.read(text)) for text in ("c*lam", "(1-c)*lam"))
-        found = []
+        # What falls with p alone, and is 0 at p = 1, is positive for p < 1.
+        falls = all(
+            rising_signs(-value.derivative("x5")) and ALGEBRA.substitute(value, {"x5": ALGEBRA.constant(1)}).is_zero()
+            for value in (parts["mu"], _DENOMINATOR)
+        )
+        found = [_zero_if(falls)]
         for wanted, f, n, t in zip(model(parts), flow.drift, flow.normal, flow.tangent, strict=True):
             found.append(flow.equal(f + (n - mu * t) * forward + (n + mu * t) * backward, wanted))
         return found
@@ -206,12 +233,15 @@ def _extended() -> Entry:
         "2-extended",
         "lines 664 to 702, eq:newex6",
         r"\dot\xi=F+G_T\lambda_T+G_N\lambda_N",
-        "The printed F, G_T, G_N, μ are the extended example in positive slip, negative slip and stick",
-        this.check("λ_T = -(2c - 1) μ λ_N for every c, as polynomials", general),
+        "For p < 1, where its μ = 1 - p is positive, the printed F, G_T, G_N, μ are the extended example in positive "
+        "slip, negative slip and stick",
+        this.check("λ_T = -(2c - 1) μ λ_N for every c, as polynomials; μ and 2 (1 - p) at p = 1 - d, d > 0", general),
         this.check(
-            "λ+ along G_N - μ G_T plus λ- along G_N + μ G_T for every c, as rational functions in all symbols",
+            "λ+ along G_N - μ G_T plus λ- along G_N + μ G_T for every c, as rational functions in all symbols; μ and "
+            "2 (1 - p) fall to 0 at p = 1",
             by_forces,
         ),
+        note=f"{_UNDEFINED} For p > 1 its μ is negative, as no friction is; eqs. newex1 to newex5 have no such bound.",
     )
 
 
@@ -223,21 +253,24 @@ def _stick() -> Entry:
         # u' = a + k+ c lambda + k- (1 - c) lambda, times the denominator of c.
         a, plus, minus, force = symbols.values()
         top, bottom = parts["numerator"], parts["denominator"]
-        return [a * bottom + plus * top * force + minus * (bottom - top) * force]
+        defined = rising_signs(_under(bottom, APART))
+        return [_zero_if(defined), a * bottom + plus * top * force + minus * (bottom - top) * force]
 
     def linear(parts: Parts) -> list[fmpq_mpoly]:
         # u' is affine in c: its zero is -u'(0)/(u'(1) - u'(0)).
         a, plus, minus, force = symbols.values()
         at_0, at_1 = a + minus * force, a + plus * force
-        return [parts["numerator"] * (at_1 - at_0) + at_0 * parts["denominator"]]
+        one_zero = rising_signs(_under(at_0 - at_1, APART))
+        return [_zero_if(one_zero), parts["numerator"] * (at_1 - at_0) + at_0 * parts["denominator"]]
 
     return SECTION.settled(
         "2-stick",
         "eq:cdot",
         r"c=(k^-+\lambda_N^{-1}a)/(k^--k^+)",
-        "In stick, where du/dt = 0, the share of the forward force is c = (k⁻ + a/λ_N)/(k⁻ - k⁺)",
+        "In stick, where du/dt = 0, for λ_N > 0 and k⁺ < k⁻ the share of the forward force is "
+        "c = (k⁻ + a/λ_N)/(k⁻ - k⁺), and no other",
         this.check("put into eq. udot: the tangential acceleration vanishes", no_acceleration),
-        this.check("zero of the affine function of c from its values at c = 0 and 1", linear),
+        this.check("the one zero of the affine function of c, from its values at c = 0 and 1", linear),
     )
 
 

@@ -112,9 +112,9 @@ def _two_forces() -> Entry:
         "2-two-forces",
         "lines 626 to 637",
         r"\lambda^+=c\lambda_N,\ \lambda^-=(1-c)\lambda_N:\quad\lambda_T=-\mu\lambda^++\mu\lambda^-",
-        "A contact force of the cone of friction, |λ_T| <= μ λ_N with μ > 0, is in exactly one way the sum of a force "
-        "of positive slip, with the normal part c λ_N, and one of negative slip, with (1 - c) λ_N: c is 1 in positive "
-        "slip, 0 in negative slip, and between them where |λ_T| < μ λ_N",
+        "A contact force of the cone of friction, |λ_T| <= μ λ_N with μ > 0 and λ_N > 0, is in exactly one way the sum "
+        "of a force of positive slip, with the normal part c λ_N, and one of negative slip, with (1 - c) λ_N: c is 1 "
+        "in positive slip, 0 in negative slip, and between them where |λ_T| < μ λ_N",
         Rung.EXACT.check(
             "eq. lambda+: the normal parts have the sum λ_N, and λ_T falls with c from μ λ_N at 0 to -μ λ_N at 1",
             shares_make_the_force(),

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
+from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.section_2 import lagrangian
 from gspot_verified.paper.section_2.lagrangian import ALGEBRA, PRINTED, _Flow
+from gspot_verified.paper.section_3.impact_to_lift_off import scene_of
+from gspot_verified.scenes.floats.float_run import float_run
 
 
 def parts(**changed: str) -> dict[str, fmpq_mpoly]:
@@ -29,3 +32,23 @@ def test_a_velocity_that_slip_changes_keeps_p() -> None:
     assert relations[-1].is_zero()
     changed = lagrangian._relations(parts(mu="0", N2="0", N4="x5", N5="1", N6="0"))
     assert not changed[-1].is_zero()
+
+
+@pytest.mark.parametrize("mu", ["x5", "1 - x5 - d", "1 - x5^2", "x5 - 1"])
+def test_a_friction_that_is_not_that_of_the_statement(monkeypatch: pytest.MonkeyPatch, mu: str) -> None:
+    """μ = 1 - p: positive exactly for p < 1."""
+    monkeypatch.setitem(PRINTED["2-extended"], "mu", mu)
+    assert lagrangian.ENTRIES["2-extended"]().verdict.outcome is not Outcome.PROVED
+
+
+def test_where_the_printed_fields_are_defined() -> None:
+    """At p = 1 G_T has the denominator 0, and beyond it μ < 0; the run of Figure 9 with χ = 1 gets there in flight."""
+    at_1 = {"x5": ALGEBRA.constant(1)}
+    assert ALGEBRA.substitute(lagrangian._DENOMINATOR, at_1).is_zero()
+    assert ALGEBRA.substitute(ALGEBRA.read(PRINTED["2-extended"]["mu"]), {"x5": ALGEBRA.constant(2)}) == -1
+    entries = {name: build() for name, build in lagrangian.ENTRIES.items()}
+    assert entries["2-extended"].statement.startswith("For p < 1, ")
+    for name in ("2-lagrangian", "2-quantities", "2-extended"):
+        assert "At ξ_5 = 1 the printed G_T is not defined." in entries[name].note
+    highest = max(float_run(scene_of(fmpq(1, 4))).samples.columns["p"])
+    assert highest > 2

@@ -76,6 +76,14 @@ def test_a_term_that_is_not_there_is_not_replaced(monkeypatch: pytest.MonkeyPatc
     assert not all(value.is_zero() for value in ledger.by_replacing(parts))
 
 
+def test_without_a_normal_force_the_share_is_free() -> None:
+    """λ_T does not depend on c for λ_N = 0: the statement leaves it out."""
+    at_0 = {"lam": ledger.ALGEBRA.constant(0)}
+    shares = [ledger.ALGEBRA.substitute(ledger.ALGEBRA.read(text), at_0) for text in ledger.SHARES.values()]
+    assert all(share.is_zero() for share in shares)
+    assert "λ_N > 0" in ledger.ENTRIES["2-two-forces"]().statement
+
+
 def test_two_forces() -> None:
     assert ledger.shares_make_the_force() is ledger.cone_is_spanned() is True
 

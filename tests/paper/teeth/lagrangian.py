@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from paper.bite import Bite, NotApplicable, Teeth, replaced, scaled, unseen_at
+from paper.bite import Bite, Teeth, replaced, scaled, unseen_at
 
 from gspot_verified.paper.section_2 import lagrangian as ledger
 
@@ -39,12 +39,14 @@ TEETH: Teeth = {
         *(Bite("factor", _EXTENDED, name, scaled) for name in ("F1", "F5", "H2", "H4", "H6", "N2", "N4", "N6", "mu")),
         *(Bite("hidden factor", _EXTENDED, name, unseen_at("x5", _AT_INTEGERS)) for name in ("F6", "H6", "N4", "mu")),
         *(Bite("hypothesis", _EXTENDED, name, lambda _, free=free: free) for name, free in _FREE.items()),
+        Bite("hypothesis", ledger.BELOW_ONE, "x5", lambda _: "1 + d"),
         Bite("order", _EXTENDED, "N4", replaced("x5", "x5^2")),
     ),
     "2-stick": (
         *(Bite("factor", _STICK, name, scaled) for name in _STICK),
         *(Bite("hidden factor", _STICK, name, unseen_at("lam", _AT_INTEGERS)) for name in _STICK),
-        NotApplicable("hypothesis", "the claim has none but u' = 0, which is the equation that defines c"),
+        Bite("hypothesis", ledger.APART, "kminus", lambda _: "kplus"),
+        Bite("hypothesis", ledger.APART, "kminus", lambda _: "kplus - d"),
         Bite("order", _STICK, "numerator", replaced("lam", "lam^2")),
         Bite("order", _STICK, "denominator", replaced("*lam", "*lam^2")),
     ),
