@@ -35,6 +35,10 @@ WHO = {
 GROWS = {"1-case-I": True, "1-case-II": True, "1-case-III": False}
 RATES = {"p": "alpha1*p", "b": "alpha2*p + alpha3*b"}
 """Gspot1 and Gspot2."""
+DIRECTIONS = {"alpha1": {"p": "alpha1 - alpha3", "b": "alpha2"}, "alpha3": {"p": "0*b", "b": "1 + 0*b"}}
+"""The eigenvectors, by their rates."""
+STRONG = {"1-case-I": ("alpha1", "alpha3"), "1-case-II": ("alpha1", "alpha3"), "1-case-III": ("alpha3", "alpha1")}
+"""The rate of the strong direction, and that of the weak one."""
 
 
 def in_case(name: str, text: str) -> fmpq_mpoly:
@@ -135,5 +139,63 @@ def _case(name: str) -> Entry:
     )
 
 
-ENTRIES: Builders = {name: partial(_case, name) for name in CASES}
-"""Cases I, II and III."""
+def directions_are_kept() -> bool | None:
+    """Whether the flow takes each direction into itself, at its rate."""
+    rates = {name: ALGEBRA.read(text) for name, text in RATES.items()}
+    found = []
+    for rate, parts in DIRECTIONS.items():
+        vector = {name: ALGEBRA.read(text) for name, text in parts.items()}
+        found += [ALGEBRA.substitute(rates[name], vector) - _SYMBOLS[rate] * vector[name] for name in "pb"]
+        found += [ALGEBRA.constant(1)] if all(value.is_zero() for value in vector.values()) else []
+    return all(value.is_zero() for value in found)
+
+
+def strong_and_weak(name: str) -> bool | None:
+    """Whether both rates are negative in a Case, that of the strong direction below the other one."""
+    strong, weak = (in_case(name, rate) for rate in STRONG[name])
+    return rising_signs(weak - strong) and rising_signs(-weak)
+
+
+def directions_by_the_matrix() -> bool | None:
+    """The same by Cayley and Hamilton: (M - α_1)(M - α_3) = 0, so each column of one factor has the other's rate."""
+    rows = [[ALGEBRA.read(RATES[rate]).derivative(by) for by in "pb"] for rate in "pb"]
+    rates = list(DIRECTIONS)
+    found = []
+    for rate, other in (rates, rates[::-1]):
+        column = 0 if rate == "alpha1" else 1  # the other column is 0, or a multiple of this one
+        p, b = (ALGEBRA.read(text) for text in DIRECTIONS[rate].values())
+        left = [rows[k][column] - (_SYMBOLS[other] if k == column else 0) for k in range(2)]
+        found.append(left[0] * b - left[1] * p)
+    trace, determinant = rows[0][0] + rows[1][1], ALGEBRA.determinant(rows)
+    found += [trace - _SYMBOLS[rates[0]] - _SYMBOLS[rates[1]], determinant - _SYMBOLS[rates[0]] * _SYMBOLS[rates[1]]]
+    return all(value.is_zero() for value in found)
+
+
+def states_come_along_the_weak_one(name: str) -> bool | None:
+    """Whether λ_N = -b/p grows without bound where p = 0 is the weak direction, and tends to that of the line else."""
+    return GROWS[name] == (STRONG[name][1] == "alpha3") and all_of([stays_and_ends(name), is_stable(name)])
+
+
+def _directions() -> Entry:
+    return SECTION.settled(
+        "1-eigendirections",
+        "lines 294 to 296",
+        r"\text{eigenvectors: the strong stable and the weak stable direction}",
+        "In each of Cases I, II and III, with constant α's, Gspot1 and Gspot2 have two eigenvectors, both stable: that "
+        "of α_2 p = (α_1 - α_3) b with the rate α_1, and that of p = 0 with the rate α_3; the first is the strong one "
+        "in Cases I and II, the second in Case III",
+        Rung.EXACT.check(
+            "the flow on each direction is its rate times it; the signs of the rates and of their difference",
+            all_of([directions_are_kept(), *map(strong_and_weak, CASES)]),
+        ),
+        Rung.EXACT.check(
+            "the columns of M - α_3 and of M - α_1, M the matrix of the flow; trace and determinant; by the limit of "
+            "λ_N = -b/p states come along the weak direction",
+            all_of([directions_by_the_matrix(), *map(states_come_along_the_weak_one, CASES)]),
+        ),
+        note="Which of its lines Figure 3 draws with double arrows is not checked.",
+    )
+
+
+ENTRIES: Builders = {**{name: partial(_case, name) for name in CASES}, "1-eigendirections": _directions}
+"""Cases I, II and III, and their eigendirections."""

@@ -38,4 +38,23 @@ def _teeth(name: str) -> tuple[Tooth, ...]:
     )
 
 
-TEETH: Teeth = {name: _teeth(name) for name in ledger.CASES}
+def without_line(key: str, text: str) -> Any:
+    """One eigenvector with another part."""
+    return lambda honest: {**honest, key: text}
+
+
+TEETH: Teeth = {
+    **{name: _teeth(name) for name in ledger.CASES},
+    "1-eigendirections": (
+        Bite("factor", ledger.DIRECTIONS, "alpha1", without_line("b", "1000003/1000000*alpha2"), refutes=True),
+        Bite("factor", ledger.RATES, "b", replaced("alpha3*b", "1000003/1000000*alpha3*b")),
+        Bite(
+            "hidden factor", ledger.DIRECTIONS, "alpha1", without_line("p", "(1 + alpha2*(alpha2^2-1))*(alpha1-alpha3)")
+        ),
+        Bite("hypothesis", ledger.CASES, "1-case-I", without_sign("alpha1", "-w")),
+        Bite("hypothesis", ledger.CASES, "1-case-III", without_sign("alpha1", "w")),
+        *(Bite("hypothesis", ledger.STRONG, name, lambda honest: honest[::-1], refutes=True) for name in ledger.CASES),
+        Bite("hypothesis", ledger.DIRECTIONS, "alpha3", without_line("b", "0*b")),
+        NotApplicable("order", "exact directions; no order of an error occurs"),
+    ),
+}
