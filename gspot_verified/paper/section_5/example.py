@@ -203,7 +203,7 @@ def solves_the_motivating_example() -> bool:
 def further_terms_vanish() -> bool:
     """Whether the recursion for χ = 0 has no term of the orders 1, ..., 11, for symbols α_1, α_3, c."""
     terms = extended_terms(_FURTHER, chi=False)
-    return not any(a != 0 for name in "pbyvz" for row in terms[name][1:] for a in row)
+    return all(a == 0 for name in "pbyvz" for row in terms[name][1:] for a in row)
 
 
 def _trivial() -> Entry:
