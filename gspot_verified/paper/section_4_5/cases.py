@@ -258,7 +258,8 @@ def _growth() -> Entry:
         SIGNS_RIGHT.carries(_rising(by_saddle, positive)),
         growth.GROWS.carries(_rising(by_means, positive)),
         Rung.POINTS.check(
-            "certified brackets of a zero of λ_N beyond τ = 2: its ratio to the law tends to 1",
+            "certified brackets of a zero of λ_N beyond τ = 2, four ε for each of two β: the smaller ε, the nearer "
+            "is its ratio to the law to 1",
             all_of(True if bracket.closer_than_before else None for bracket in brackets),
             "; ".join(str(bracket) for bracket in brackets),
         ),

@@ -23,7 +23,9 @@ PRINTED: dict[str, dict[str, str]] = {
     "5-outer-system": {"y": "v", "v": "b + p*lam", "z": "-z - lam", "lambda": "z - y"},
     "5-fast-system": {"y": "v", "v": "-p*y + p*z", "z": "y - 2*z"},
     "5-fast-polynomial": {"polynomial": "lam^3 + 2*lam^2 + p*lam + p"},
-    "5-slow-manifold": {"y": "2*b", "v": "0*b", "z": "b", "xi": "p*F - G*b", "b": "p*alpha2 + alpha3*b"},
+    "5-slow-manifold": {
+        "y": "2*b", "v": "0*b", "z": "b", "xi": "p*F - G*b", "p": "p*alpha1", "b": "p*alpha2 + alpha3*b",
+    },
 }  # fmt: skip
 OUTER_LINES = {
     "y": ("specialY", "yd", 1, 1), "v": ("specialV", "vd", 0, 2),
@@ -144,6 +146,13 @@ def _fast_polynomial() -> Entry:
     )
 
 
+def _rate_of_p(equation: str, derivative: str) -> fmpq_mpoly:
+    """p times the rate of p by genSysP or by its scaled form, which have no force; α_1 as on the manifold."""
+    algebra = section_5_recursion.ALGEBRA
+    rate = algebra.substitute(algebra.symbols[derivative] - algebra.read(equation), {"a1": algebra.symbols["alpha1"]})
+    return _SYMBOLS["p"] * ALGEBRA.bring(rate)
+
+
 def _slow_manifold() -> Entry:
     this = _claim("5-slow-manifold")
 
@@ -156,6 +165,7 @@ def _slow_manifold() -> Entry:
         return [
             *rates,
             parts["xi"] - ALGEBRA.read("p*F") - _SYMBOLS["G"] * force,
+            parts["p"] - _rate_of_p(section_5_recursion.GENERAL["specialPP"][0], "pd"),
             parts["b"] - ALGEBRA.read("p*alpha2") + _SYMBOLS["alpha3"] * force,
         ]  # fmt: skip
 
@@ -171,16 +181,17 @@ def _slow_manifold() -> Entry:
             found.append(_SYMBOLS["p"] * ALGEBRA.determinant(replaced) - determinant * parts[name])
         # p times F + G lambda and alpha2 - alpha3 lambda, with p lambda = -b.
         slopes = {"xi": put(ALGEBRA.read("p*F + G*K"), K="-b"), "b": put(ALGEBRA.read("p*alpha2 - alpha3*K"), K="-b")}
+        slopes["p"] = _rate_of_p(section_5_recursion.PRINTED["5-inner-system"]["specialPP"], "p1")
         return [*found, *(parts[name] - value for name, value in slopes.items())]
 
     return SECTION.settled(
         "5-slow-manifold",
         "lines 1968 to 1978",
-        r"y_o=2b/p,\ v_o=0,\ z_o=b/p;\quad \dot\xi=F-Gb/p,\ \dot b=\alpha_2+\alpha_3b/p",
+        r"y_o=2b/p,\ v_o=0,\ z_o=b/p;\quad \dot\xi=F-Gb/p,\ \dot p=\alpha_1,\ \dot b=\alpha_2+\alpha_3b/p",
         "In the limit ε → 0 the slow manifold of the outer system is y_o = 2b/p, v_o = 0, z_o = b/p, and the motion on "
-        "it is given by dξ/dt = F - G b/p and db/dt = α_2 + α_3 b/p",
-        this.check("the outer system at ε = 0, times p", balance),
-        this.check("Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+)", cramer),
+        "it is given by dξ/dt = F - G b/p, dp/dt = α_1 and db/dt = α_2 + α_3 b/p",
+        this.check("the outer system at ε = 0, times p; p by genSysP", balance),
+        this.check("Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+); p by specialPP", cramer),
     )
 
 

@@ -196,7 +196,7 @@ def _order_15() -> Entry:
         ),
         Rung.POINTS.check(
             f"a float run ({FLOATS[0]}) from the state of order 15 at p = 1/100 (scene oscillator-canard): its b is "
-            "that near to order 15 for p > 0",
+            f"that near to order 15 at every {_EVERY}th step with p > 0",
             floats_stay_near(),
         ),
         note="Nothing is said of the distance between the series, which need not converge, and a solution; next to the "

@@ -39,11 +39,11 @@ TEETH: Teeth = {
         Bite("order", POLYNOMIAL, "polynomial", raised("lam")),
     ),
     "5-slow-manifold": (
-        *(Bite("factor", SLOW, part, scaled) for part in ("y", "z", "xi", "b")),
+        *(Bite("factor", SLOW, part, scaled) for part in ("y", "z", "xi", "p", "b")),
         Bite("factor", SLOW, "v", lambda _: "1/1000000*b"),
         *(Bite("hidden factor", SLOW, part, unseen_at("p", _POINTS)) for part in ("y", "z", "xi", "b")),
         Bite("hypothesis", OUTER, "lambda", replaced("z - y", "z - 2*y")),
         Bite("hypothesis", OUTER, "z", replaced("- lam", "- 2*lam")),
-        *(Bite("order", SLOW, part, raised("p")) for part in ("y", "z", "xi", "b")),
+        *(Bite("order", SLOW, part, raised("p")) for part in ("y", "z", "xi", "p", "b")),
     ),
 }

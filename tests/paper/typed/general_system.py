@@ -190,7 +190,7 @@ def _section_5() -> list[Row]:
             )
         )
     found += rows("5-fast-polynomial", system, CONSTANTS, ("polynomial", 1956, 1958, 0, of_side(0)))
-    for part, line in (("y", 1969), ("v", 1970), ("z", 1971), ("xi", 1975), ("b", 1977)):
+    for part, line in (("y", 1969), ("v", 1970), ("z", 1971), ("xi", 1975), ("p", 1976), ("b", 1977)):
         found += rows("5-slow-manifold", system, slow, (part, line, line, 0, of_side(1, "p")))
     ansatz = section_5_ansatz.PRINTED
     zero = CONSTANTS | {
