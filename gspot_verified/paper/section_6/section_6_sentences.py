@@ -31,6 +31,15 @@ IN_THE_TEXT = {
     "Θ": Place("text", r"The (\w+) curve is computed using the suitably scaled hypergeometric \$\\Theta\$"),
 }
 """The colours of Figure 12."""
+FOUR_CURVES = "lines 2211 to 2214 and 2230 to 2237"
+_CURVE = r"([a-z]+/[a-z-]+)"
+DRAWN = {
+    "first start": (rf"initial conditions \({_CURVE},", rf"The {_CURVE} curve \(first"),
+    "second start": (rf"initial conditions \(\S+, {_CURVE},", rf"The {_CURVE} curve \(second"),
+    "third start": (rf"and {_CURVE} curves\)", rf"The {_CURVE} curve is the trajectory"),
+    "expansion": (rf"distinguished trajectory \({_CURVE} curve\)", rf"the {_CURVE} curve is the appoximate"),
+}
+"""The colour and the kind of line of each curve of Figure 11, in the caption and in the text."""
 BELT = {"printed": "0*l", "corrected": "-l*om"}
 """The velocity of the surface: x of line 2136 has none; one that is fast enough backwards."""
 STARTS = (fmpq(-9, 10), fmpq(-1, 2))
@@ -67,6 +76,20 @@ def _colours() -> Entry:
         ),
         corrected="The caption or the text has the two colours exchanged",
         note="The figure decides.",
+    )
+
+
+def _curves() -> Entry:
+    return SECTION.settled(
+        "6-curves",
+        FOUR_CURVES,
+        r"\text{red/solid, blue/dashed, purple/dotted, green/dash-dotted}",
+        "Figure 11: the caption and the text name the same colour and kind of line for each of the four curves",
+        *(
+            held_against(FOUR_CURVES, f"the curve of the {what}", Place("caption", caption), Place("text", text))
+            for what, (caption, text) in DRAWN.items()
+        ),
+        note="The caption names no start by its numbers: the three are taken in the order of the text.",
     )
 
 
@@ -197,6 +220,7 @@ ENTRIES: Builders = {
     "6-positive-slip": _positive_slip,
     "6-starts": _starts,
     "6-any-beta": _any_beta,
+    "6-curves": _curves,
     "6-colours": _colours,
 }
 """Sentences of Sec. 6."""

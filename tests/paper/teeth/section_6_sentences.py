@@ -46,6 +46,20 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger, "HIGHEST", lambda _: fmpq(10, 3)),
         Bite("order", oscillator.PARAMETERS, "cpsi", raised("beta")),
     ),
+    "6-curves": (
+        NotApplicable("factor", _WORDS),
+        NotApplicable("hidden factor", _WORDS),
+        *(
+            Bite("hypothesis", words, "quoted", reads_as(honest, wrong))
+            for honest, wrong in (
+                ("The red/solid", "The blue/solid"),
+                ("The blue/dashed", "The blue/dotted"),
+                ("and purple/dotted", "and red/dotted"),
+                ("(green/dash-dotted", "(green/dashed"),
+            )
+        ),
+        NotApplicable("order", _WORDS),
+    ),
     "6-colours": (
         NotApplicable("factor", _WORDS),
         NotApplicable("hidden factor", _WORDS),
