@@ -39,8 +39,9 @@ from gspot_verified.mechanisms.spots.spot_conditions import Stage, TakenApart, c
 from gspot_verified.mechanisms.spots.spot_patch import find_patch
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, Zero, Zeros, ZeroSearch, clusters
 from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots
-from gspot_verified.numbers.balls import ExactInput, ball, nonfinite, working_bits
+from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, nonfinite, working_bits
 from gspot_verified.numbers.evidence import differ, equal, every, inside
+from gspot_verified.numbers.inner_text import in_inner_interval, inner_text
 from gspot_verified.numbers.verdict import Evidence
 
 
@@ -84,6 +85,7 @@ DEFAULT_BUDGET = 100_000
 """How many boxes are looked at."""
 
 _EXTRA_BITS = 40  # working bits beyond those asked for: any number is correct
+_ROOM = (-8, -12, -16, -24, -32, -48, -64, -96, -128)  # exponents of what an interval is wider by: any will do
 
 
 @dataclass(frozen=True)
@@ -367,17 +369,15 @@ class _Search:
             for box in zeros.left:
                 values = {**partial.values, **dict(zip(first.variables, box, strict=True))}
                 if patch is None and partial.proved:
-                    patch = self._patch(stages, values, partial.shown)
+                    patch = self._patch(stages, values, partial)
                 if len(self._left) < 50 and patch is None:
                     self._leave(values, "no patch of G-spots could be proved, and their absence was not proved either")
         if patch is not None:
             self._left.clear()
         return self._result((), (), patch)
 
-    def _patch(
-        self, stages: Sequence[Stage], values: Mapping[int, arb], before: Sequence[Evidence | None]
-    ) -> Patch | None:
-        """A patch over a solution of the stages before, which exists by ``before``."""
+    def _patch(self, stages: Sequence[Stage], values: Mapping[int, arb], before: _Partial) -> Patch | None:
+        """A patch over a solution of the stages before."""
         functions = [function for stage in stages for function in self._functions(stage)]
         variables = sorted({i for stage in stages for i in stage.variables})
         graph = find_patch(functions, variables, self._full(values))
@@ -391,15 +391,40 @@ class _Search:
                 definite = check_mass_matrix(self._shifted, dict(zip(self._state, place, strict=True)), BALLS)
         except MechanismError:
             return None
-        shown = every([*before, graph.shown, inside_region, definite])
+        alone = self._alone(before)
+        if alone is None:
+            return None
+        box = {**alone, **graph.alone}
+        as_written = [in_inner_interval(everywhere[i], side) for i, side in box.items()]
+        shown = every([*before.shown, self._is(before, alone), graph.shown, *as_written, inside_region, definite])
         if shown is None:
             return None
+        mechanism, state = self._shifted.mechanism, self._state
 
         def words(sides: Mapping[int, arb]) -> tuple[tuple[str, str], ...]:
-            mechanism, state = self._shifted.mechanism, self._state
-            return tuple((state[i], in_words(mechanism, state[i], side)) for i, side in sides.items())
+            return tuple((state[i], in_words(mechanism, state[i], side, inner_text)) for i, side in sides.items())
 
-        return Patch(len(graph.parameters) + len(self._apart.free), words(graph.parameters), words(graph.box), shown)
+        free = self._whole.chosen_free()
+        return Patch(
+            len(graph.parameters) + len(self._apart.free),
+            words(graph.parameters),
+            words(box),
+            tuple((state[i], whole_component(mechanism, state[i], value)) for i, value in free.items()),
+            shown,
+        )
+
+    def _alone(self, partial: _Partial) -> dict[int, arb] | None:
+        """For each component that the stages before solved for an interval, to be written: the solution lies in all of
+        them, and no other one does."""
+        for exponent in _ROOM:
+            room = {i: add_remainder(x, (1 + abs(x)) * arb((1, exponent))) for i, x in partial.values.items()}
+            if self._is(partial, room) is not None:
+                return room
+        return None
+
+    def _is(self, partial: _Partial, box: Mapping[int, arb]) -> Evidence | None:
+        """That the only solution of the stages before in the box is this one."""
+        return every([equal(len(partial.same), len(partial.shown)), *(same(self._full(box)) for same in partial.same)])
 
 
 def _apart(left: Sequence[arb], right: Sequence[arb]) -> Evidence | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -37,10 +37,11 @@ class Left(NoTruthValue, Written):
 
 @dataclass(frozen=True)
 class Patch(NoTruthValue, Written):
-    """For all values of ``parameters`` in their intervals exactly one G-spot has the other components in ``box``.
+    """For all values of ``parameters`` in their intervals exactly one G-spot has the other components in ``box``, where
+    those of ``free``, which no condition holds, have the values given.
 
     ``dimension`` is that of the curve or surface which the G-spots form there, free components included. ``shown`` is
-    what was compared for it.
+    what was compared for it, for the intervals as they are written.
     """
 
     ask: ClassVar[str] = ".dimension is that of the curve or surface"
@@ -48,12 +49,14 @@ class Patch(NoTruthValue, Written):
     dimension: int
     parameters: tuple[tuple[str, str], ...]
     box: tuple[tuple[str, str], ...]
+    free: tuple[tuple[str, str], ...] = ()
     shown: Evidence | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
         over = ", ".join(f"{word} in {text}" for word, text in self.parameters)
         there = ", ".join(f"{word} in {text}" for word, text in self.box)
-        return f"for all {over} exactly one with {there}"
+        where = ", ".join(f"{word} = {text}" for word, text in self.free)
+        return f"for all {over} exactly one with {there}" + (f", where {where}" if where else "")
 
 
 @dataclass
@@ -216,7 +219,7 @@ def shape(dimension: int) -> str:
     return {1: "curve", 2: "surface"}.get(dimension, f"set of dimension {dimension}")
 
 
-def in_words(mechanism: Mechanism, word: str, value: arb) -> str:
+def in_words(mechanism: Mechanism, word: str, value: arb, written: Callable[[arb], str] = ball_text) -> str:
     """A component of the shifted state as text: an angle as ``reference + deviation``."""
     reference = next((angle.name for angle in mechanism.angles if angle.coordinate == word), None)
-    return ball_text(value) if reference is None else f"{reference} + {ball_text(value)}"
+    return written(value) if reference is None else f"{reference} + {written(value)}"

@@ -22,13 +22,15 @@ _WIDTHS = (-4, -7, -10, -14, -18, -24, -30)  # exponents of the half widths, the
 
 @dataclass(frozen=True)
 class Graph:
-    """For all values of ``parameters`` (component: interval) exactly one zero has the other components in ``box``.
+    """For all values of ``parameters`` (component: interval) exactly one zero has the other components in ``alone``; it
+    has them in ``box``.
 
     ``shown`` is the inclusion that proves it.
     """
 
     parameters: dict[int, arb]
     box: dict[int, arb]
+    alone: dict[int, arb]
     shown: Evidence
 
 
@@ -48,13 +50,18 @@ def find_patch(functions: Sequence[Expression], variables: Sequence[int], place:
             state = [parameters.get(i, side) for i, side in enumerate(place)]
             proved = _proved(program, state, [point[i] for i in solved], width)
             if proved is not None:
-                return Graph(parameters, dict(zip(solved, proved[0], strict=True)), proved[1])
+                image, alone, shown = proved
+                return Graph(
+                    parameters, dict(zip(solved, image, strict=True)), dict(zip(solved, alone, strict=True)), shown
+                )
     return None
 
 
 def _proved(
     program: BoxProgram, state: Sequence[arb], point: Sequence[arb], width: int
-) -> tuple[list[arb], Evidence] | None:
+) -> tuple[list[arb], list[arb], Evidence] | None:
+    """A box that holds the zero over each value of the parameters, one in which it is alone, and what shows it."""
+
     def at(values: Sequence[arb]) -> list[arb]:
         full = list(state)
         for i, value in zip(program.variables, values, strict=True):
@@ -65,7 +72,7 @@ def _proved(
         box = [x + arb(0, arb(2) ** (width + more)) for x in point]
         zero = proved_zero(lambda x: program.values(at(x)), lambda x: program.gradients(at(x))[1], box)
         if zero is not None:
-            return zero
+            return zero[0], box, zero[1]
     return None
 
 
