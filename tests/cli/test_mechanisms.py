@@ -370,7 +370,7 @@ def test_expand_uniform_says_how_far_true_solutions_are(capsys: pytest.CaptureFi
 def test_expand_side_says_what_a_family_near_the_g_spot_does(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "expand", "extended", "--order", "8", "--side=-1,1/50")
     assert code == 0
-    assert "for every epsilon <= 1/125000" in out
+    assert "for every 0 < epsilon <= 1/125000" in out
     assert "contact is lost" in out
     code, out, _ = run(capsys, "expand", "extended", "--order", "8", "--side=-1,1/5", "--json")
     assert (code, json.loads(out)["side"]["side"]) == (2, None)

@@ -24,7 +24,7 @@ from gspot_verified.expansion.true_solutions.side_end import (
 )
 from gspot_verified.expansion.true_solutions.slow_deviation import slow_deviation
 from gspot_verified.expansion.true_solutions.track import track
-from gspot_verified.numbers.balls import ExactInput, add_remainder, approximate, ball, ball_text, working_bits
+from gspot_verified.numbers.balls import Exact, ExactInput, add_remainder, approximate, ball, ball_text, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -145,7 +145,7 @@ def uniform_side(
         ends, failed = in_ranges(followed_on, small)
         shown = joined(ends, small)
     whole = (
-        f"for every epsilon <= {small**3} and every state within {tube} delta^mu of the expansion and the slow "
+        f"for every 0 < epsilon <= {small**3} and every state within {tube} delta^mu of the expansion and the slow "
         f"deviation with C_1 = {amount} at s = {first} (in {measured_in(trajectory)}, which is 0 in the slow "
         f"deviation), mu = {power}, as long as slip is positive"
     )
@@ -158,9 +158,14 @@ def uniform_side(
     if ends[0].side < 0:
         side, statement = "lift-off", f"{before}, and it vanishes later: contact is lost"
     else:
-        ends_by = f"after that it stays so until it exceeds {ball_text(ends[0].force, 3)}; p < 0 there"
+        reached = factor * trajectory.lambda_n[0].at_zero()
+        ends_by = f"after that it stays so until it exceeds {_number(reached)}; p < 0 there"
         side, statement = "impact", f"{before}; {ends_by}"
     return UniformSide(*family, side, tuple(ends), Verdict.proved(statement, shown))
+
+
+def _number(value: Exact) -> str:
+    return ball_text(value) if isinstance(value, arb) else str(value)
 
 
 def end_of_track(equations: DeviationEquations, reach: float = REACH) -> fmpq:

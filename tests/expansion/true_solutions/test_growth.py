@@ -215,6 +215,12 @@ def test_a_family_that_holds_both_sides_is_undecided() -> None:
     assert uniform_side(extended("3/2"), 1, "1/100", within=2).side is None
 
 
+def test_the_force_that_an_impact_exceeds_is_written_exactly() -> None:
+    """6.67, as it was rounded, is above 10/3 times the mean force 2."""
+    statement = uniform_side(extended("3/2"), 1, "1/50", force="10/3").verdict.statement
+    assert statement.endswith("until it exceeds 20/3; p < 0 there")
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
