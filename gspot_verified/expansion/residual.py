@@ -21,7 +21,9 @@ from gspot_verified.functions.derivative import powers_as_products
 from gspot_verified.functions.expressions import Expression, in_order
 from gspot_verified.functions.power_series import SeriesOfFunctions, Terms
 from gspot_verified.functions.rings import Ring
-from gspot_verified.numbers.balls import ExactInput, ball_text, exact, nonfinite, working_bits
+from gspot_verified.numbers.balls import Exact, ExactInput, ball_text, exact, nonfinite, working_bits
+from gspot_verified.numbers.inner_text import inner_ends
+from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
@@ -70,7 +72,7 @@ class ResidualBounds(NoTruthValue, Written):
         return {key[6:]: value for key, value in self.constants.items() if key.startswith("start_")}
 
     def __str__(self) -> str:
-        box = f"|s| <= {self.s}, 0 <= delta <= {self.delta}"
+        box = f"|s| <= {_largest(self.s)}, 0 <= delta <= {_largest(self.delta)}"
         lines = [f"{self.name}: |residual| <= K delta^{self.order} for {box}, K ="]
         lines += [f"  {self._equation(key)}: {ball_text(value, 6)}" for key, value in self.constants.items()]
         return "\n".join([*lines, f"  {ONLY_RESIDUAL}"])
@@ -106,6 +108,12 @@ def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, ex
         checks = _Residual(trajectory, size_of(box[0]), size_of(box[1]), trajectory.order + extra)
         constants = {**checks.equations(), **checks.conditions()}
     return ResidualBounds(trajectory.system.name, trajectory.order, *box, constants, trajectory.system.state)
+
+
+def _largest(value: Exact) -> str:
+    """Up to which size the bounds are said to hold: for all numbers of a ball, so up to a decimal just below its upper
+    end."""
+    return str(value) if isinstance(value, fmpq) else short_text(inner_ends(value)[1])
 
 
 def conditions_at(trajectory: Trajectory, s: fmpq, delta: fmpq) -> list[arb]:

@@ -9,6 +9,7 @@ from decimal import Decimal
 
 from flint import arb, fmpq
 
+from gspot_verified.numbers.balls import Exact
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
@@ -42,6 +43,18 @@ def inner_text(value: arb) -> str:
     step = _step(lower, upper)
     exponent = len(str(step.p)) - len(str(step.q))
     return "[" + ", ".join(_decimal(int((end / step).p), exponent) for end in ends) + "]"
+
+
+def text_of_each(value: Exact) -> str:
+    """A number; of a ball, of each number of which something is said, the interval, or its one number.
+
+    >>> text_of_each(fmpq(1, 3)), text_of_each(arb("0.25")), text_of_each(arb("0.5", "0.00012305"))
+    ('1/3', '1/4', '[0.4998770, 0.5001230]')
+    """
+    if isinstance(value, fmpq):
+        return str(value)
+    lower, upper = inner_ends(value)
+    return str(lower) if lower == upper else inner_text(value)
 
 
 def in_inner_interval(part: arb, whole: arb) -> Evidence | None:

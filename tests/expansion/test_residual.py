@@ -247,6 +247,12 @@ def test_a_box_of_balls_is_written_as_exact_intervals() -> None:
     assert (data["s"], data["delta"]) == (str(Dyadic.from_ball(s)), str(Dyadic.from_ball(delta)))
 
 
+def test_a_box_of_balls_is_said_no_larger_than_it_is() -> None:
+    """Rounded outward |s| <= 1.124 was said of a bound for |s| <= 1.1234567."""
+    bounds = residual_bounds(expand_system(extended_example(1), 6), arb(1, "0.1234567"), arb("0.1", "0.01234567"))
+    assert "for |s| <= 1.1234, 0 <= delta <= 0.11234, K =" in str(bounds)
+
+
 @pytest.mark.parametrize("order", [3, 6])
 def test_the_rest_of_a_condition_is_divided_by_delta_squared_and_by_delta_to_the_order(
     monkeypatch: pytest.MonkeyPatch, order: int

@@ -307,8 +307,9 @@ def _system_text(system: AffineSystem) -> str:
 
 
 def states_text(start: AffineStart) -> str:
-    """The set of states in words; with a chart p, b are any of their balls, and what is printed lies in these."""
-    of_set = start.manifold.system.chart is not None
+    """The set of states in words; p, b are any of their balls, and what is printed lies in these."""
+    chart = start.manifold.system.chart
+    of_set = chart is not None or isinstance(start.p, arb) or isinstance(start.b, arb)
     p, b, force, excess = (
         f"in {inner_text(value)}" if of_set and isinstance(value, arb) else f"= {_text(value)}"
         for value in (start.p, start.b, start.force, start.excess)

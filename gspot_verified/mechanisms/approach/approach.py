@@ -30,6 +30,7 @@ from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import case_of, sides_of
 from gspot_verified.numbers.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
 from gspot_verified.numbers.evidence import every, less
+from gspot_verified.numbers.inner_text import text_of_each
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 
 MAX_STEPS = 600  # validated steps: a limit against endless work
@@ -138,7 +139,7 @@ class _Attempt:
             self.surface_text: str | None = None
         else:
             self.surface = arb(0) if velocity is None else ball(velocity)
-            self.surface_text = "0" if velocity is None else str(velocity)
+            self.surface_text = "0" if velocity is None else text_of_each(velocity)
             if not at.u > self.surface:
                 raise StateError(
                     f"{self.mechanism.name}: no positive slip: u = {ball_text(at.u)} is not certainly above the "
@@ -370,6 +371,7 @@ class _Attempt:
             side_reason=why,
             least_slip=self.least_slip,
             surface_velocity=self.surface_text,
+            surface=self.surface,
             notes=self.mechanism.notes,
             path=path,
             bits=self.bits,

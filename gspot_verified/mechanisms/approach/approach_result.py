@@ -54,6 +54,8 @@ class Approach(NoTruthValue, Written):
     about the state on the contact. ``fast_exponent``: E, where about e^(-E/epsilon) of the contact's fast oscillation
     at the start is left at the G-spot; a float, no bound.
     ``spot`` encloses the G-spot as numbers, angles counted from their references; empty where there is none.
+    ``surface`` is the velocity of the surface, 0 where none was given; None where nothing is asked of u. What was
+    proved holds for each velocity in a ball; ``surface_velocity`` is then an interval in it.
     """
 
     written: ClassVar[str] = (
@@ -82,6 +84,15 @@ class Approach(NoTruthValue, Written):
     supposed: tuple[str, ...] = ()
     fast_exponent: float | None = None
     spot: tuple[arb, ...] = ()
+    surface: arb | None = None
+
+    @property
+    def on_surface(self) -> str:
+        """In words which surface that moves; empty where it does not, or nothing is asked of u."""
+        if self.surface_velocity in (None, "0"):
+            return ""
+        relation = "in" if str(self.surface_velocity).startswith("[") else "="
+        return f"on a surface with the velocity u {relation} {self.surface_velocity}"
 
     @property
     def rests_on(self) -> str:
@@ -99,8 +110,8 @@ class Approach(NoTruthValue, Written):
         if self.solved:
             lines.append(f"  {' and '.join(self.solved)} from y = 0 and v = 0")
         lines.append(f"  {self.verdict}")
-        if self.surface_velocity not in (None, "0"):
-            lines.append(f"  on a surface with the velocity u = {self.surface_velocity}")
+        if self.on_surface:
+            lines.append(f"  {self.on_surface}")
         if self.time is not None:
             lines.append(f"  after the time t = {ball_text(self.time)}")
         if self.place:

@@ -177,10 +177,8 @@ def _statement(mechanism: Mechanism, found: Approach) -> str:
     surface = (
         " on any surface whose constant velocity is below u on the whole way, the G-spot included"
         if found.surface_velocity is None
-        else ""
+        else f" {found.on_surface}".rstrip()
     )
-    if found.surface_velocity not in (None, "0"):
-        surface = f" on a surface with the velocity u = {found.surface_velocity}"
     below = ""
     if springs.c > 0:
         contact = Contact.of(springs)

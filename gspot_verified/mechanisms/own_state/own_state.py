@@ -29,7 +29,7 @@ from gspot_verified.mechanisms.own_state.compliant_tube import (
 from gspot_verified.mechanisms.own_state.fast_norm import FastNorm
 from gspot_verified.mechanisms.own_state.rigid_way import WayPart, rigid_way
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
-from gspot_verified.numbers.balls import ball, ball_text, exact, working_bits
+from gspot_verified.numbers.balls import ball, ball_text, working_bits
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.inner_text import in_inner_interval
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
@@ -126,21 +126,14 @@ class _Question:
             if isinstance(checked, str):
                 return checked
             shown.append(checked)
-            if self._surface is not None:
-                shown.append(less(self._surface, numbers.on(box).u))
+            if (surface := self.found.approach.surface) is not None:
+                shown.append(less(surface, numbers.on(box).u))
         return every(shown) or "slip is not certainly positive on the way"
-
-    @property
-    def _surface(self) -> arb | None:
-        """The velocity of the surface, where it is given."""
-        velocity = self.found.approach.surface_velocity
-        return None if velocity is None else ball(exact(velocity, "surface_velocity"))
 
     def _starts(self, epsilon: fmpq) -> str:
         contact = self.shifted.mechanism.regularisation
         state = ", ".join(f"{word} = {value}" for word, value in self.found.approach.start)
-        velocity = self.found.approach.surface_velocity
-        surface = f" on a surface with the velocity u = {velocity}" if velocity not in (None, "0") else ""
+        surface = f" {self.found.approach.on_surface}".rstrip()
         return (
             f"{self.shifted.mechanism.name} with {contact_text(contact)}{surface}: every start in contact with each "
             f"component within {_STARTS.beside} epsilon of {state}, on the contact, and kappa p (v/epsilon)^2 + "
@@ -149,8 +142,8 @@ class _Question:
         )
 
     def _proved(self, epsilon: fmpq, time: arb, shown: Evidence) -> Verdict:
-        slip = "as long as slip is positive, " if self._surface is None else ""
-        lasting = "contact lasts" if self._surface is None else "contact and positive slip last"
+        slip = "as long as slip is positive, " if self.found.approach.surface is None else ""
+        lasting = "contact lasts" if self.found.approach.surface is None else "contact and positive slip last"
         ends = {
             "lift-off": "contact lasts until p < 0 and is lost later",
             "impact": "contact lasts until p < 0, and after that until lambda_N exceeds the force stated there",

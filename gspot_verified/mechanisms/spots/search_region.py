@@ -15,8 +15,9 @@ from gspot_verified.functions.periods import period_factor
 from gspot_verified.mechanisms.derive.to_system import angle_ball
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.spots.spot_conditions import TakenApart
-from gspot_verified.numbers.balls import Exact, ExactInput, ball, ball_text, certainly_less, exact, hull
+from gspot_verified.numbers.balls import Exact, ExactInput, ball, certainly_less, exact, hull
 from gspot_verified.numbers.evidence import at_most, equal, every, less
+from gspot_verified.numbers.inner_text import text_of_each
 from gspot_verified.numbers.verdict import Evidence
 
 DEFAULT_BOUND = 10
@@ -120,7 +121,7 @@ class Region:
         for i, word in enumerate(self._state):
             if i in self._given:
                 lower, upper = self._given[i]
-                text = f"[{_text(lower)}, {_text(upper)}]"
+                text = f"[{text_of_each(lower)}, {text_of_each(upper)}]"
             elif i in explicit:
                 text = "fixed" if explicit[i] == fixed_name(word) else f"follows from {explicit[i]} = 0"
             elif i in apart.free:
@@ -169,7 +170,7 @@ class Region:
                 bounded.append(f"the angle {word}, one period of it as shown {repeats}")
             elif i in self._given:
                 lower, upper = self._given[i]
-                bounded.append(f"{word} in [{_text(lower)}, {_text(upper)}]")
+                bounded.append(f"{word} in [{text_of_each(lower)}, {text_of_each(upper)}]")
             elif explicit.get(i) == fixed_name(word):
                 held.append(f"{word} = {fixed[word]}" if word in fixed else word)
             elif i in explicit:
@@ -250,10 +251,6 @@ def _is_interval(lower: Exact, upper: Exact) -> bool:
     if isinstance(lower, fmpq) and isinstance(upper, fmpq):
         return bool(lower <= upper)
     return certainly_less(ball(upper), ball(lower)) is False
-
-
-def _text(value: Exact) -> str:
-    return str(value) if isinstance(value, fmpq) else ball_text(value)
 
 
 def _pi(factor: fmpq) -> str:

@@ -12,7 +12,7 @@ from flint import arb, fmpq
 from samples.cones import cone_of
 
 from gspot_verified.expansion.from_state import affine_side as module
-from gspot_verified.expansion.from_state.affine_side import AffineSide, affine_side
+from gspot_verified.expansion.from_state.affine_side import AffineSide, affine_side, states_text
 from gspot_verified.expansion.from_state.affine_system import Affine, AffineSystem
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, affine_tube, carried
 from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan
@@ -42,6 +42,15 @@ def manifold_of(system: AffineSystem = EXTENDED) -> SlowManifold:
 def place_of(excess: fmpq, p: fmpq = P, system: AffineSystem = EXTENDED) -> fmpq:
     """b at p with this L."""
     return p * (AffineStart(manifold_of(system), p, fmpq(0), fmpq(0)).excess - excess)
+
+
+def test_a_ball_of_states_is_written_no_wider_than_it_is() -> None:
+    """What is said holds for each p of the ball; 0.0113, as rounded outward, is none of them."""
+    start = AffineStart(manifold_of(), arb("0.01", "0.0012345"), fmpq(-1, 100), fmpq(1, 100))
+    text = states_text(start)
+    assert "every start in contact at p in [0.008766, 0.011234], b = -1/100 with" in text
+    assert ", L in [" in text
+    assert "at p = 1/100, b = -1/100 with" in states_text(replace(start, p=P))
 
 
 STEEP = AffineSystem(EXTENDED.alpha_1, EXTENDED.alpha_2, Affine(fmpq(-5, 2)), PAPER)

@@ -20,6 +20,7 @@ from samples.strategies import to_fmpq
 
 from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach
+from gspot_verified.mechanisms.approach.mechanism_side import mechanism_side
 from gspot_verified.mechanisms.approach.slip_state import StateError
 from gspot_verified.mechanisms.expand import expand
 from gspot_verified.mechanisms.input.file import parse_mechanism
@@ -145,6 +146,19 @@ def test_lift_off_is_not_first_where_stick_may_have_been() -> None:
     found = approach(BRAKED, state, surface_velocity=arb(0, "1/64"))
     assert found.end is None
     assert found.verdict.outcome is Outcome.UNDECIDED
+
+
+def test_a_ball_of_surface_velocities_is_written_no_wider_than_it_is() -> None:
+    """u comes down to 4/3 at the G-spot. Rounded outward the velocities reached up to 1.3334, where slip stops."""
+    model, state = shipped_mechanism("model"), {"x": 0, "u": 3, "p": "1/2", "b": "-2"}
+    found = approach(model, state, surface_velocity=arb("1.3", "0.033332"))
+    assert (found.end, found.surface_velocity) == ("G-spot", "[1.26667, 1.33333]")
+    assert "on a surface with the velocity u in [1.26667, 1.33333]" in str(found)
+    assert approach(model, state, surface_velocity="1.3334").end == "stick"
+    side = mechanism_side(model, state, surface_velocity=arb("1.3", "0.033332"))
+    assert " on a surface with the velocity u in [1.26667, 1.33333]: for every family" in side.verdict.statement
+    exact = approach(model, state, surface_velocity=arb("1.25"))
+    assert exact.on_surface == "on a surface with the velocity u = 5/4"
 
 
 def test_the_least_slip_holds_up_to_the_event() -> None:

@@ -19,7 +19,7 @@ from gspot_verified.mechanisms.derive.slip_hypotheses import FRICTION, SlipHypot
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.own_state import own_state as module
 from gspot_verified.mechanisms.own_state.own_state import with_own_state
-from gspot_verified.numbers.balls import ball, working_bits
+from gspot_verified.numbers.balls import ball, exact, working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Outcome, Verdict
 from tests.witnesses.stiff_contact import StiffContact, at_rest
@@ -119,8 +119,8 @@ def test_slip_is_watched_where_the_surface_is_known(monkeypatch: pytest.MonkeyPa
     """u falls from 3 to about 2.1 on the way."""
 
     def moving(velocity: str | None) -> OwnSide:
-        found = asked()
-        return own(replace(found, approach=replace(found.approach, surface_velocity=velocity)))
+        found, surface = asked(), None if velocity is None else ball(exact(velocity, "u"))
+        return own(replace(found, approach=replace(found.approach, surface_velocity=velocity, surface=surface)))
 
     assert "with the velocity u = 2:" in str(moving("2"))
     monkeypatch.setattr(module, "_TRIES", 1)

@@ -154,6 +154,12 @@ def test_given_intervals_come_before_periods_and_angles_count_from_their_referen
     assert other is None
 
 
+def test_a_ball_of_ends_is_written_no_wider_than_it_is() -> None:
+    """What is found holds for each end in the ball; 0.601, as rounded outward, is none of them."""
+    _, words = region({"p": Sine(THETA) - HALF, "b": Q * Q - HALF}, {"q": (arb("0.5", "0.1001"), arb(2))})
+    assert words["q"] == "[[0.3999, 0.6001], 2]"
+
+
 @pytest.mark.parametrize(
     ("value", "position"),
     [
