@@ -154,8 +154,9 @@ def exact(value: ExactInput, name: str) -> Exact:
     TypeError: tau: a float is not taken as exact; write Fraction(0.1) for its binary value or "0.1" for the decimal
     """
     if isinstance(value, fmpq):
-        return value
+        return value if type(value) is fmpq else fmpq(value)  # a subclass may compare in its own way
     if isinstance(value, arb):
+        value = value if type(value) is arb else arb(value)
         if not value.is_finite():
             raise ValueError(f"{name}: the ball must be finite, got {value}")
         return _point(value) if value.is_exact() else value

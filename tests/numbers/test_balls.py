@@ -169,6 +169,49 @@ def test_exact_refuses_nonfinite_balls(value: arb) -> None:
         exact(value, "tau")
 
 
+class LyingNumber(fmpq):
+    """A rational number that says that it is anything else."""
+
+    def __lt__(self, other: object) -> bool:
+        return True
+
+    __gt__ = __le__ = __ge__ = __lt__
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    def __hash__(self) -> int:
+        return 1
+
+    def __str__(self) -> str:
+        return "777"
+
+
+class LyingBall(arb):
+    """A ball that says that it is finite, exact and less than any other."""
+
+    def is_finite(self) -> bool:
+        return True
+
+    def is_exact(self) -> bool:
+        return True
+
+    def __lt__(self, other: object) -> bool:
+        return True
+
+
+def test_exact_takes_no_word_of_a_subclass() -> None:
+    found = exact(LyingNumber(-1, 2), "tau")
+    assert type(found) is fmpq
+    assert (str(found), found < -1) == ("-1/2", False)
+    wide = exact(LyingBall(2, 1), "tau")
+    assert type(wide) is arb
+    assert (wide.is_exact(), wide < 1) == (False, False)
+    assert exact(LyingBall(2), "tau") == fmpq(2)
+    with pytest.raises(ValueError, match="must be finite"):
+        exact(LyingBall("nan"), "tau")
+
+
 @given(balls(), precisions())
 def test_exact_passes_a_ball_through_unrounded(value: arb, bits: int) -> None:
     with working_bits(bits):

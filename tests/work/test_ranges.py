@@ -68,6 +68,18 @@ def test_ends_are_exact_rationals(value: Any) -> None:
         Range(value, None, False, False)
 
 
+class Greater(fmpq):
+    """A number that is greater than all others."""
+
+    def __gt__(self, other: object) -> bool:
+        return True
+
+
+def test_ends_are_no_numbers_of_another_kind() -> None:
+    with pytest.raises(TypeError, match="end of a range must be fmpq or None, got Greater"):
+        Range(fmpq(1), Greater(2), True, True)
+
+
 def test_ends_of_any_precision() -> None:
     narrow = Range.parse("3..3." + "0" * 39 + "1", "beta")
     assert narrow.upper is not None
