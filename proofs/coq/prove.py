@@ -270,6 +270,8 @@ def prove_in(folder: Path, texts: dict[str, bytes], jobs: int, kernel: bool) -> 
     axioms = assumptions(names, folder, jobs)
     for name in names:
         print(f"{name}: {', '.join(axiom.split('.')[-1] for axiom in axioms[name]) or 'no axiom'}")
+    for file in STATED_IN:  # whoever shows a statement later can see whether it is this one
+        print(f"Stated in {file}.v, SHA-256 {hashlib.sha256(texts[f'{file}.v']).hexdigest()}")
     if wrong := differences(axioms, listed()):
         raise Refused("\n".join(["The axioms differ from assumptions.txt:", *wrong]))
     if kernel:

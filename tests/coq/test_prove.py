@@ -6,6 +6,7 @@ programs of Coq print in test_coq_output.py.
 
 from __future__ import annotations
 
+import hashlib
 import importlib.util
 import py_compile
 import re
@@ -377,7 +378,9 @@ def test_what_is_true_is_proved_in_any_environment(
 ) -> None:
     hostile(small, tmp_path / "home", monkeypatch)
     assert small.prove(1, kernel=False) == 0
-    assert capsys.readouterr().out.startswith("claim: no axiom\n1 theorems proved by Coq")
+    digest = hashlib.sha256((small.HERE / "Statement.v").read_bytes()).hexdigest()
+    stated = f"Stated in Statement.v, SHA-256 {digest}"
+    assert capsys.readouterr().out.startswith(f"claim: no axiom\n{stated}\n1 theorems proved by Coq")
     assert not (small.BUILD / "Orphan.vo").exists()
     assert "1 theorems proved" in small.state()
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import subprocess
 import sys
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar, NamedTuple
 
@@ -20,17 +21,20 @@ COQ = ROOT / "proofs" / "coq"
 _KEPT = ("PATH", "HOME", "TMPDIR", "LANG", "LC_ALL")
 """What the proofs see of the environment."""
 _PROVED = re.compile(r"^(\w+): (?:no axiom|[\w, ]+)$", re.MULTILINE)
+_STATED = re.compile(r"^Stated in (\w+\.v), SHA-256 ([0-9a-f]{64})$", re.MULTILINE)
 NOT_ASKED = "verify --formal runs proofs/coq/prove.py, and only what it proves then counts"
 
 
 @dataclass(frozen=True, slots=True)
 class ProofRun(NoTruthValue):
-    """What one run of ``proofs/coq/prove.py`` by this program showed: the theorems; or why it showed none."""
+    """What one run of ``proofs/coq/prove.py`` by this program showed: the theorems, and the hashes of the files that
+    state them as they were compiled; or why it showed none."""
 
     ask = ".failure is empty where the proofs passed"
 
     theorems: frozenset[str] = frozenset()
     failure: str = NOT_ASKED
+    stated: Mapping[str, str] = field(default_factory=dict)
 
 
 class Theorem(NamedTuple):
@@ -69,20 +73,26 @@ def run_proofs(coq: Path = COQ) -> ProofRun:
     if done.returncode:
         said = (done.stdout + done.stderr).strip().splitlines()
         return ProofRun(failure=f"prove.py ended with {done.returncode}: {said[0] if said else 'it said nothing'}")
-    return ProofRun(frozenset(_PROVED.findall(done.stdout)), "")
+    return ProofRun(frozenset(_PROVED.findall(done.stdout)), "", dict(_STATED.findall(done.stdout)))
 
 
 def formal_proof(names: Sequence[str], proofs: ProofRun, coq: Path = COQ) -> FormalProof:
     """The theorems of these names with their texts in the files of statements, proved in this run or not.
+
+    A file that is no more what was compiled shows another statement than the one that was proved: then none is.
 
     :raises ValueError: Statement.v is there, and one of them is not stated.
     """
     if not (coq / "Statement.v").is_file():
         unread = tuple(Theorem(name, "", "") for name in names)
         return FormalProof(unread, False, "not run here: proofs/coq/ is not here")
-    theorems = tuple(Theorem(name, *statement_of(name, coq)) for name in names)
+    texts = _texts(coq)
+    theorems = tuple(Theorem(name, *_statement(name, texts)) for name in names)
     missing = [name for name in names if name not in proofs.theorems]
     why = proofs.failure or (f"prove.py did not prove {', '.join(missing)}" if missing else "")
+    files = dict.fromkeys(theorem.file for theorem in theorems)
+    if not why and (others := [file for file in files if proofs.stated.get(file) != _digest(texts[file])]):
+        why = f"{', '.join(others)} was changed after prove.py had read it"
     return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by proofs/coq/prove.py")
 
 
@@ -96,10 +106,21 @@ def statement_of(name: str, coq: Path = COQ) -> tuple[str, str]:
 
     :raises ValueError: no file states it.
     """
+    return _statement(name, _texts(coq))
+
+
+def _texts(coq: Path) -> dict[str, str]:
+    return {file: (coq / file).read_text(encoding="utf-8") for file in stated_in(coq)}
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _statement(name: str, texts: Mapping[str, str]) -> tuple[str, str]:
     comment = r"(?:^\(\*\*(?:(?!\*\)).)*\*\)\n)?"
     pattern = re.compile(rf"{comment}^Definition {re.escape(name)} : Prop :=.*?\.$(?=\n\n|\n?\Z)", re.M | re.S)
-    files = stated_in(coq)
-    for file in files:
-        if found := pattern.search((coq / file).read_text(encoding="utf-8")):
+    for file, text in texts.items():
+        if found := pattern.search(text):
             return found[0], file
-    raise ValueError(f"{', '.join(files)}: no {name} is stated")
+    raise ValueError(f"{', '.join(texts)}: no {name} is stated")

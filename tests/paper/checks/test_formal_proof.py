@@ -30,7 +30,8 @@ NAMES = sorted(
 )
 
 
-PASSED = ProofRun(frozenset(NAMES), "")
+STATED = {name: hashlib.sha256((COQ / name).read_bytes()).hexdigest() for name in stated_in()}
+PASSED = ProofRun(frozenset(NAMES), "", STATED)
 
 
 @pytest.fixture
@@ -98,6 +99,22 @@ def test_what_a_run_shows(tmp_path: Path, script: str, theorems: list[str] | Non
     (tmp_path / "prove.py").write_text(script)
     expected = frozenset() if theorems is None else frozenset({"IWC", "gamma_sign"})
     assert run_proofs(tmp_path) == ProofRun(expected, failure)
+
+
+def test_a_run_says_which_files_it_held_the_theorems_against(tmp_path: Path) -> None:
+    (tmp_path / "prove.py").write_text(f"print('IWC: no axiom\\nStated in Statement.v, SHA-256 {'a' * 64}')")
+    assert run_proofs(tmp_path) == ProofRun(frozenset({"IWC"}), "", {"Statement.v": "a" * 64})
+
+
+def test_a_statement_that_was_changed_after_the_run_was_not_proved(coq: Path) -> None:
+    """As where somebody edits it while ``verify --formal`` is still at work on the entries."""
+    file = coq / "Statement.v"
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace("forall b theta, 0 < b < 1 ->", "forall b theta, 0 < b < 9 ->"), encoding="utf-8")
+    assert file.read_text(encoding="utf-8") != text
+    not_run(coq, PASSED, "Statement.v was changed after prove.py had read it")
+    not_run(coq, ProofRun(frozenset(NAMES), ""), "Statement.v was changed after prove.py had read it")
+    assert formal_proof(["flight_persists"], PASSED, coq).run
 
 
 def test_a_run_does_not_see_what_acts_on_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
