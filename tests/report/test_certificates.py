@@ -5,6 +5,8 @@ import shutil
 
 import pytest
 
+from gspot_verified.certificates.checker import check
+from gspot_verified.report import certificates
 from gspot_verified.report.certificates import checked_certificates
 from gspot_verified.report.check_again import check_report
 from gspot_verified.report.data import report_data
@@ -35,6 +37,23 @@ def test_the_checker_is_asked(folder):
 
 def test_a_report_as_written_passes(folder):
     assert [(result.name, result.same) for result in check_report(folder)] == [(name, True) for name in NAMES]
+
+
+def test_what_is_shown_is_what_was_checked(folder, monkeypatch):
+    """Whoever changes the file while the checker begins does not change what it checks."""
+    path = folder / "certificates" / NAMES[1]
+    true = path.read_bytes()
+    path.write_bytes(true.replace(b'"sign":-1', b'"sign":1'))
+
+    def check_with_the_true_file_back(file):
+        path.write_bytes(true)
+        return check(file)
+
+    monkeypatch.setattr(certificates, "check", check_with_the_true_file_back)
+    found = certificates.checked(path)
+    assert found.content != true
+    assert not found.verified
+    assert found.said == "REJECTED the hash does not match"
 
 
 def test_a_changed_a_missing_and_an_added_certificate_fail(folder):
