@@ -37,6 +37,8 @@ PAGES = ("count_law",)
 """Proof pages with a theorem that no entry says."""
 ERRATA_PAGES = 2
 """What a journal prints."""
+SHOWN = "This text shows what report.json says: writing it checks nothing. "
+"""In both texts: whoever can write the file can write anything there."""
 _WIDTH = 124
 """Letters of a line of a formal statement in the size and on the page of ``theorems.tex``."""
 _PREAMBLE = r"""\documentclass[10pt,a4paper%(options)s]{article}
@@ -87,7 +89,7 @@ def errata_text(report: Mapping[str, Any]) -> str:
 
 def _about_the_errata(number: int, report: Mapping[str, Any]) -> str:
     return escaped(
-        f"{number} item{'' if number == 1 else 's'}: printed form, corrected form, reason. Sections, equations, "
+        f"{SHOWN}{number} item{'' if number == 1 else 's'}: printed form, corrected form, reason. Sections, equations, "
         f"figures and l. (lines of the LaTeX source, SHA-256 {paper_hash()[:16]}…) are those of this manuscript; the "
         "journal’s version was not compared, so that its numbers may differ and its pages are not given. Each item "
         "was found by two derivations, and can be run again with the name in brackets: "
@@ -124,8 +126,8 @@ def theorems_text(report: Mapping[str, Any]) -> str:
         r"{\Large\bfseries What is proved beyond the paper}\par\smallskip" + "\n",
         f"{escaped(PAPER)}, {escaped(VERSION)}.\\par\\medskip\n",
         escaped(
-            "The numbers are those of this manuscript. A statement is a sentence of the ledger, with its verdict; its "
-            "name in brackets runs its checks again: "
+            f"{SHOWN}The numbers are those of this manuscript. A statement is a sentence of the ledger, with its "
+            "verdict; its name in brackets runs its checks again: "
         )
         + rf"\texttt{{gspot-verified verify NAME}} (version {escaped(report['versions']['gspot-verified'])}). "
         + escaped(

@@ -95,6 +95,11 @@ def test_what_the_numbers_are_is_said(texts: dict[str, str]) -> None:
     assert texts["errata.tex"].lower().count("doi") == 1, "the journal's is not known here"
 
 
+def test_both_texts_say_that_they_show_a_file(texts: dict[str, str]) -> None:
+    for text in texts.values():
+        assert "This text shows what report.json says: writing it checks nothing." in text
+
+
 def test_a_report_without_errata_says_so() -> None:
     found = supplement(data([proved("S-iwc", "line 1287")]))["errata.tex"]
     assert "No statement of the paper is refuted." in found
