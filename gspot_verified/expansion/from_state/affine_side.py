@@ -6,7 +6,7 @@ Proof page: ``proofs/from_state.md``, the theorem of section 8.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache, reduce
 from itertools import product
 from typing import ClassVar, NamedTuple
@@ -61,12 +61,14 @@ _BEYOND = fmpq(101, 100)  # of h_1 over its value at s = -S as delta tends to 0
 class ChartedWay:
     """With a chart: ``cone`` holds p, b, y, v from all starts up to the hand-over, ``starts`` their states: those of
     its box ``around`` with these p, b, y, v; ``after`` holds the states from the hand-over to the end that the side
-    tells, and ``later`` bounds the time between them, for every epsilon."""
+    tells, and ``later`` bounds the time between them, for every epsilon. Slip that exceeds ``lost`` at a start stays
+    positive up to the end, if it is known."""
 
     cone: Cone
     starts: Region
     after: tuple[arb, ...]
     later: arb
+    lost: Exact | None = None
 
 
 class _Passed(NamedTuple):
@@ -200,13 +202,15 @@ def _level(system: AffineSystem, most: fmpq) -> fmpq:
 
 @dataclass(frozen=True)
 class _Prepared:
-    """Lemma 1 for one plan; it does not depend on epsilon. The start's manifold has the plan's order."""
+    """Lemma 1 for one plan; it does not depend on epsilon. The start's manifold has the plan's order. ``failed`` notes
+    by nu and z_max the smallest e for which no tube was found, and why."""
 
     plan: Plan
     start: AffineStart
     norm: Norm[SlowManifold]
     rectangle: Rectangle
     growth: Growth
+    failed: dict[tuple[fmpq, fmpq], tuple[fmpq, str]] = field(default_factory=dict)
 
 
 def _prepared(start: AffineStart) -> Iterator[_Prepared]:
@@ -256,13 +260,19 @@ def _later(end: SideEnd, place: fmpq, mu: Exact) -> arb:
 
 
 def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
+    """The first nu and z_max that serve; what failed for a smaller e is not tried again."""
     found: AffineTube | str = "no z_max was tried"
     known: dict[fmpq, Sums] = {}
     likely = [largest for largest in LARGEST if largest > 3 * start.within]
     for ratio, largest in product(_RATIOS, likely):
+        failed = one.failed.get((ratio, largest))
+        if failed is not None and failed[0] <= e:
+            found = failed[1]
+            continue
         found = affine_tube(one.start, one.norm, one.growth, one.rectangle, e, largest, ratio=ratio, known=known)
         if isinstance(found, AffineTube):
             return found
+        one.failed[ratio, largest] = e, found
     return found
 
 

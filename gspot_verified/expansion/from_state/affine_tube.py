@@ -123,7 +123,8 @@ class ExcessBounds:
             if power == 0 and value * side < 0:
                 continue
             size, exponent = (self.largest, self.low) if power > 0 else (self.least, self.high)
-            added(total, {(i, n + power * exponent): size**power}, abs(ball(value)).upper())
+            key = (i, n + power * exponent) if power else (i, n)
+            added(total, {key: size**power}, abs(ball(value)).upper())
         return total
 
 

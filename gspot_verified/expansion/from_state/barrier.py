@@ -150,26 +150,27 @@ def source(series: SlowSeries) -> Monomials:
 
 
 def paid(source: Mapping[Exponents, arb], rate: arb, damping: fmpq | arb) -> Monomials | str:
-    """Z of (9), or the monomial that cannot be paid."""
+    """Z of (9), or the monomial that cannot be paid; a deficit is paid with what the source has of its monomial."""
     total: Monomials = {}
-
-    def add(key: Exponents, value: arb) -> None:
-        total[key] = (total.get(key, arb(0)) + value).upper()
-
-    for (first, second), value in source.items():
-        i, n, rest = first, second, value
-        while True:
+    by_power: dict[int | fmpq, Monomials] = {}
+    for key, value in source.items():
+        by_power.setdefault(key[0], {})[key] = value
+    while by_power:
+        i = min(by_power)
+        for (_, n), value in by_power.pop(i).items():
             own = fmpq(3 * i - n) / 2
             if own > rate + _ROOM or (n < 1 and own > rate):
-                add((i, n), rest / (own - rate))
-                break
+                added(total, {(i, n): value}, 1 / (own - rate))
+                continue
             if n < 1:
-                return f"the source h^{first} r^{second} is not paid: at h^{i} the growth {own} is below {_shown(rate)}"
-            i, n, rest, own = i + 1, n - 1, (rest / damping).upper(), own + 2
-            add((i, n), rest)
-            if own >= rate:
-                break
-            rest = (rest * (rate - own)).upper()
+                return (
+                    f"what is left of the source is not paid: at h^{i} r^{n} the growth {own} is below {_shown(rate)}"
+                )
+            raised: Monomials = {(i + 1, n - 1): (value / damping).upper()}
+            added(total, raised, 1)
+            if own + 2 >= rate:
+                continue
+            added(by_power.setdefault(i + 1, {}), raised, rate - own - 2)
     return total
 
 

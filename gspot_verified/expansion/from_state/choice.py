@@ -18,6 +18,7 @@ _ABOVE = (fmpq(1, 20), fmpq(1, 5), fmpq(3, 10), fmpq(1, 2))  # of Gamma_E over i
 _NEAR = 10**6  # of numbers that may be any near another one: multiples of 1/_NEAR
 _TAU = 3.17  # where a hand-over is tried, in units of tau: the slow series is good there
 _FARTHER = (1.0, 1.25, 1.5)
+_LAYER = 20.0  # of p^2/e, from which on what is fast at a start near the G-spot falls
 LARGEST = (*(fmpq(1, n) for n in (500, 100, 30, 10, 5, 3, 2)), fmpq(3, 4))
 """z_max, the smallest first: Gamma grows with it."""
 LARGEST_DELTA = fmpq(1, 8)
@@ -71,9 +72,9 @@ def near(value: Exact) -> fmpq:
 
 def largest_delta(p: Exact, a: Exact) -> fmpq:
     """Up to which delta ranges are followed from a small p: far beyond, what is fast at the start is still there."""
-    goal = (approximate(p) ** 2 / approximate(a)) ** (1 / 3)
+    goal = 2 * (approximate(p) ** 2 / approximate(a) / _LAYER) ** (1 / 3)
     delta = LARGEST_DELTA
-    while approximate(delta) / 4 > goal:
+    while approximate(delta) > goal:
         delta /= 4
     return delta
 

@@ -25,11 +25,12 @@ from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.mechanisms.approach.approach_plan import state_to_start_from
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide
 from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
+from gspot_verified.mechanisms.derive.slip_loss import SlipLoss
 from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
-from gspot_verified.numbers.balls import add_remainder, ball, ball_text, float_bounds, rounded_text, working_bits
+from gspot_verified.numbers.balls import add_remainder, ball, ball_text, exact, float_bounds, rounded_text, working_bits
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.inner_text import in_inner_interval
 from gspot_verified.numbers.verdict import Reason, Verdict
@@ -136,20 +137,38 @@ def _checked(shifted: Shifted, side: AffineSide, active: Sequence[int], at: _At)
     slowest = slowest_fall(system.chart, [region for _, region in boxes])
     if slowest is None:
         return _open(side, "p does not certainly fall on the way")
-    for states in (*(region.states for _, region in boxes), way.after):
-        whole = [arb(0)] * len(shifted.mechanism.state)
-        for i, value in zip(active, states, strict=True):
-            whole[i] = value
-        checked = hypotheses.checked(whole)
+    states = [_whole(shifted, active, box) for box in (*(region.states for _, region in boxes), way.after)]
+    for box in states:
+        checked = hypotheses.checked(box)
         if isinstance(checked, str):
             return _open(side, checked)
         shown.append(checked)
     evidence = every(shown)
     if evidence is None:
         return _open(side, "the hypotheses on the mechanism are not certain")
-    latest = float_bounds(ball(side.start.p) / slowest + way.later)[1]
-    by = f"{_HELD}; all this within a time of {rounded_text(latest, 1)} from the start on"
-    return replace(side, verdict=Verdict.proved(side.verdict.statement + by, evidence))
+    time = ball(side.start.p) / slowest + way.later
+    latest = rounded_text(float_bounds(time)[1], 1)
+    lost, kept = _lost(shifted, active, states, time), ""
+    if lost is not None:
+        kept = f"; slip stays positive if it exceeds {lost} at the start"
+        way = replace(way, lost=exact(lost, "lost"))
+    by = f"{_HELD}{kept}; all this within a time of {latest} from the start on"
+    return replace(side, way=way, verdict=Verdict.proved(side.verdict.statement + by, evidence))
+
+
+def _lost(shifted: Shifted, active: Sequence[int], boxes: Sequence[Sequence[arb]], time: arb) -> str | None:
+    """A decimal number above the slip that is lost in these states up to this time; None: none is known."""
+    loss = SlipLoss(shifted)
+    lost = loss.largest(boxes, time) if loss.components <= set(active) else None
+    return None if lost is None else rounded_text(float_bounds(lost)[1], 1)
+
+
+def _whole(shifted: Shifted, active: Sequence[int], known: Sequence[arb]) -> list[arb]:
+    """A state with these components; the others do not matter."""
+    whole = [arb(0)] * len(shifted.mechanism.state)
+    for i, value in zip(active, known, strict=True):
+        whole[i] = value
+    return whole
 
 
 def slowest_fall(chart: Chart, regions: Sequence[Region]) -> arb | None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 
 from flint import arb, fmpq
 
@@ -29,7 +30,7 @@ from gspot_verified.mechanisms.own_state.compliant_tube import (
 from gspot_verified.mechanisms.own_state.fast_norm import FastNorm
 from gspot_verified.mechanisms.own_state.rigid_way import WayPart, rigid_way
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
-from gspot_verified.numbers.balls import ball, ball_text, working_bits
+from gspot_verified.numbers.balls import ball, ball_text, float_bounds, rounded_text, working_bits
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.inner_text import in_inner_interval
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
@@ -85,7 +86,7 @@ class _Question:
             if isinstance(tube, CompliantTube):
                 shown = self._shown(tube)
                 if isinstance(shown, Evidence):
-                    verdict = self._proved(epsilon, way[-1].until, shown)
+                    verdict = self._proved(epsilon, way[-1].until, self._with_slip(tube, shown))
                     return OwnSide(_STARTS.beside, _STARTS.share, epsilon, self.side.side, verdict)
                 return self.open(epsilon, shown)
             why = tube
@@ -130,6 +131,20 @@ class _Question:
                 shown.append(less(surface, numbers.on(box).u))
         return every(shown) or "slip is not certainly positive on the way"
 
+    def _with_slip(self, tube: CompliantTube, shown: Evidence) -> _Proved:
+        """Whether slip lasts from the starts near the G-spot on."""
+        if self.side.way is None or self.side.way.lost is None:
+            return _Proved(shown)
+        numbers = SlipNumbers(self.flow)
+        left = numbers.on(tube.states).u - ball(self.side.way.lost)
+        if self.found.approach.surface is not None:
+            kept = every([shown, less(self.found.approach.surface, left)])
+            return _Proved(shown) if kept is None else _Proved(kept, slip_lasts=True)
+        slowest = reduce(arb.min, (numbers.on(box).u.lower() for box in tube.boxes), left.lower())
+        return (
+            _Proved(shown, slip_lasts=True, below=float_bounds(slowest)[0]) if slowest.is_finite() else _Proved(shown)
+        )
+
     def _starts(self, epsilon: fmpq) -> str:
         contact = self.shifted.mechanism.regularisation
         state = ", ".join(f"{word} = {value}" for word, value in self.found.approach.start)
@@ -141,18 +156,34 @@ class _Question:
             f"for every 0 < epsilon <= {epsilon}"
         )
 
-    def _proved(self, epsilon: fmpq, time: arb, shown: Evidence) -> Verdict:
-        slip = "as long as slip is positive, " if self.found.approach.surface is None else ""
-        lasting = "contact lasts" if self.found.approach.surface is None else "contact and positive slip last"
+    def _proved(self, epsilon: fmpq, time: arb, proved: _Proved) -> Verdict:
+        both, alone = "contact and positive slip last", "contact lasts"
+        condition = "as long as slip is positive, " if self.found.approach.surface is None else ""
+        if proved.below is not None:
+            condition = f"on any surface with a constant velocity below {rounded_text(proved.below, -1)} "
+        before = alone if self.found.approach.surface is None and not proved.slip_lasts else both
         ends = {
-            "lift-off": "contact lasts until p < 0 and is lost later",
-            "impact": "contact lasts until p < 0, and after that until lambda_N exceeds the force stated there",
+            "lift-off": f"{both} until p < 0, and contact is lost later, in positive slip"
+            if proved.slip_lasts
+            else f"{alone} until p < 0 and is lost later",
+            "impact": f"{both if proved.slip_lasts else alone} until p < 0, and after that until lambda_N exceeds the "
+            "force stated there",
         }
         return Verdict.proved(
-            f"{self._starts(epsilon)}: {slip}{lasting} up to t = {ball_text(time, 6)}, and the state is then one of "
-            f"the starts above, so with what is said there {ends[str(self.side.side)]}",
-            shown,
+            f"{self._starts(epsilon)}: {condition}{before} up to t = {ball_text(time, 6)}, and the state is then one "
+            f"of the starts above, so with what is said there {ends[str(self.side.side)]}",
+            proved.evidence,
         )
+
+
+@dataclass(frozen=True)
+class _Proved:
+    """What was compared; whether slip lasts as long as what is said, if the surface's velocity is ``below`` a number
+    where it is not given."""
+
+    evidence: Evidence
+    slip_lasts: bool = False
+    below: float | None = None
 
 
 def _narrowed(numbers: SlipNumbers, tube: CompliantTube, active: Sequence[int]) -> list[arb]:

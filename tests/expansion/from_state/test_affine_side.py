@@ -256,7 +256,7 @@ def one_plan(place: int = 2) -> Plan:
 
 def prepared_one(place: int = 2) -> Any:
     return SimpleNamespace(
-        plan=one_plan(place), start=f"start {place}", norm="norm", growth="growth", rectangle="rectangle"
+        plan=one_plan(place), start=f"start {place}", norm="norm", growth="growth", rectangle="rectangle", failed={}
     )
 
 
@@ -304,6 +304,15 @@ def test_each_ratio_and_z_max_is_tried_until_one_does(monkeypatch: pytest.Monkey
     assert all(words[:5] == ("start 2", "norm", "growth", "rectangle", fmpq(1, 7)) for words in tried)
     assert all(ratio > 1 for ratio in module._RATIOS)
     assert all(one is kept[0] for one in kept)
+    assert set(one.failed) == {(words[6], words[5]) for words in tried[:-1]}
+    tried.clear()
+    assert module._tube(start, one, fmpq(1, 7)) is passed  # what failed for this e, or a smaller one, is left out
+    assert module._tube(start, one, fmpq(1, 6)) is passed
+    assert [words[5:] for words in tried] == wanted[-1:] * 2
+    tried.clear()
+    assert module._tube(start, one, fmpq(1, 8)) is passed
+    assert [words[5:] for words in tried] == wanted
+    assert set(one.failed.values()) == {(fmpq(1, 8), f"not {value}") for value in likely}
     monkeypatch.setattr(module, "affine_tube", lambda *words, **_: f"not {words[5]}")
     assert module._tube(start, one, fmpq(1, 7)) == f"not {LARGEST[-1]}"
 

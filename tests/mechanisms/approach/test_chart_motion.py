@@ -25,6 +25,7 @@ from gspot_verified.mechanisms.approach.chart_motion import (
 )
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, mechanism_side
 from gspot_verified.mechanisms.derive.slip_hypotheses import FRICTION, SlipHypotheses
+from gspot_verified.mechanisms.derive.slip_loss import SlipLoss
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.spots.g_spot import GSpot, find_g_spot
 from gspot_verified.numbers.balls import ball, working_bits
@@ -118,6 +119,43 @@ def test_the_state_of_rigid_slip_must_be_a_start() -> None:
         outside_of_one = [("0.001002", "-0.003", "3"), ("0.001", "-0.0030010001", "3"), ("0.001", "-0.003", "3.0002")]
         for numbers in [*outside_of_one, ("nan", "-0.003", "3")]:
             assert _checked(spot().shifted, side, active, at(INSIDE, *numbers)).side is None
+
+
+def test_how_much_slip_is_lost_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of all boxes, after p = 0 too, within the time that is told; nothing where slip depends on further components."""
+    side, active = near_side(STATES)
+    asked, own = list[Any](), SlipLoss.largest
+
+    def noted(self: SlipLoss, boxes: Any, time: arb) -> arb | None:
+        asked.append((boxes, time))
+        return own(self, boxes[:-1], arb("0.01"))
+
+    monkeypatch.setattr(SlipLoss, "largest", noted)
+    assert side.way is not None
+    with working_bits(256):
+        found = _checked(spot().shifted, side, active, at(INSIDE))
+        ((boxes, time),) = asked
+        assert boxes[-1] == list(side.way.after)
+        assert len(boxes) > 16
+        assert arb("7.002") < time < arb("7.01")
+        assert found.way is not None
+        assert isinstance(found.way.lost, fmpq)
+        lost = own(SlipLoss(spot().shifted), boxes[:-1], arb("0.01"))
+        assert lost is not None
+        assert lost <= ball(found.way.lost) < lost * arb("1.02")
+        shown = f"{int(found.way.lost.p) / int(found.way.lost.q):g}"
+        assert f"; slip stays positive if it exceeds {shown} at the start; all this within" in found.verdict.statement
+        monkeypatch.setattr(SlipLoss, "largest", lambda *_: None)
+        monkeypatch.setattr(SlipLoss, "components", frozenset({0}))
+        unknown = _checked(spot().shifted, side, active, at(INSIDE))
+        monkeypatch.setattr(SlipLoss, "largest", noted)
+        monkeypatch.setattr(SlipLoss, "components", frozenset({0, 9}))
+        beyond = _checked(spot().shifted, side, active, at(INSIDE))
+    for found in (unknown, beyond):
+        assert found.side == "impact"
+        assert found.way is not None
+        assert found.way.lost is None
+        assert "slip" not in found.verdict.statement
 
 
 def test_how_fast_p_falls_at_least() -> None:

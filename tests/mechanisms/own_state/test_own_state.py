@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -130,6 +131,54 @@ def test_slip_is_watched_where_the_surface_is_known(monkeypatch: pytest.MonkeyPa
     found = moving(None)
     assert found.side == "lift-off"
     assert ": as long as slip is positive, contact lasts up to t = " in str(found)
+
+
+def test_slip_lasts_where_enough_of_it_is_left() -> None:
+    """u is about 2.08 at the starts near the G-spot."""
+
+    def losing(lost: fmpq | None, velocity: str | None = "0", side: str = "lift-off") -> str:
+        found = asked()
+        assert found.explicit is not None
+        assert found.explicit.way is not None
+        explicit = replace(found.explicit, side=side, way=replace(found.explicit.way, lost=lost))
+        surface = None if velocity is None else ball(exact(velocity, "u"))
+        moving = replace(found.approach, surface_velocity=velocity, surface=surface)
+        told = own(replace(found, explicit=explicit, approach=moving))
+        assert told.side == side
+        return str(told)
+
+    lasts = "contact and positive slip last until p < 0, and contact is lost later, in positive slip"
+    alone = "contact lasts until p < 0 and is lost later"
+    for lost, velocity in ((fmpq(2), "0"), (fmpq(1), "1"), (fmpq(0), "2")):
+        assert lasts in losing(lost, velocity), (lost, velocity)
+    for lost, velocity in ((None, "0"), (fmpq(11, 5), "0"), (fmpq(3, 2), "1"), (fmpq(1, 5), "2")):
+        assert alone in losing(lost, velocity), (lost, velocity)
+        assert ": contact and positive slip last up to t = " in losing(lost, velocity)
+    until = "until p < 0, and after that until lambda_N exceeds the force stated there"
+    assert f"contact and positive slip last {until}" in losing(fmpq(2), side="impact")
+    assert f"contact lasts {until}" in losing(None, side="impact")
+
+
+def test_where_the_surface_is_not_known_the_velocities_are_said_that_slip_allows() -> None:
+    """u falls on the way, then by what is lost at most."""
+    found = asked()
+    assert found.explicit is not None
+    assert found.explicit.way is not None
+
+    def largest(lost: fmpq) -> fmpq:
+        way = replace(found.explicit.way, lost=lost)  # type: ignore[union-attr, type-var]
+        explicit = replace(found.explicit, way=way)  # type: ignore[type-var]
+        unknown = replace(found.approach, surface_velocity=None, surface=None)
+        told = str(own(replace(found, explicit=explicit, approach=unknown)))
+        before, velocity, after = told.partition(": on any surface with a constant velocity below ")[2].partition(" ")
+        assert after.startswith("contact and positive slip last up to t = ")
+        assert "as long as slip is positive" not in told
+        assert velocity == " "
+        return fmpq(*map(int, Fraction(before).as_integer_ratio()))
+
+    assert fmpq(1) < largest(fmpq(1)) < fmpq(11, 10)
+    assert largest(fmpq(0)) - largest(fmpq(1)) == 1
+    assert fmpq(-9, 10) > largest(fmpq(3)) > -1
 
 
 def test_what_has_nothing_to_go_on_with_is_left_alone() -> None:
