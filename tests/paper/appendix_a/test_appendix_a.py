@@ -189,6 +189,17 @@ def test_the_condition_of_th5_is_said_formula_by_formula() -> None:
     assert corrected.startswith("With m = 0, 1, 2, ...: ")
 
 
+@pytest.mark.parametrize("j", range(3))
+def test_each_integer_that_a_formula_of_th4_names_is_tried(monkeypatch: pytest.MonkeyPatch, j: int) -> None:
+    tried: list[fmpq] = []
+    monkeypatch.setattr(asymptotic_errors, "small_error_within", lambda *a: tried.append(a[-1]) or True)
+    entry = asymptotics.small(j, appendix_a.BETAS)
+    named = re.search(r"at β = ([\d, ]+)\.", entry.note)
+    assert named is not None
+    assert [fmpq(int(n)) for n in named[1].split(", ")] == [beta for beta in tried[: len(tried) // 2] if beta.q == 1]
+    assert f"{len(tried)} points, integers β among them" in entry.checks[-1].what
+
+
 @pytest.mark.parametrize("n", [-4, -1, 0, 3, 8])
 def test_each_integer_that_is_named_is_tried(monkeypatch: pytest.MonkeyPatch, n: int) -> None:
     honest = appendix_a.initial_values
