@@ -124,7 +124,7 @@ def _perturbation() -> Entry:
 
     def derive(parts: Parts) -> list[fmpq_mpoly]:
         equations, rest = leading_equations()
-        # specialZ and specialL: z = -lambda, lambda = z - y, so lambda = -y/2, as in line 2041.
+        # specialZ and specialL: z = -lambda, lambda = z - y, so lambda = -y/2, as in line 2045.
         force = {"hl": ALGEBRA.read("-y/2"), "hz": ALGEBRA.read("y/2")}
         # hp stands in no line.
         slopes = {"g1": parts["b'"], "hy1": parts["y'"], "hv1": parts["v'"], "hp1": ALGEBRA.read(RATE_OF_P)}

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from flint import fmpq_mpoly
+
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
-from gspot_verified.paper.checks.identities import Algebra
 from gspot_verified.paper.section_5 import section_5_recursion
+from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA as RECURSION
 
 SECTION = Section("Section 5, Theorem 1")
 Pair = tuple[int, int]
@@ -20,11 +22,17 @@ CLAIMED: dict[str, Pair] = {"r_b": (0, -4), "r_v": (1, -3), "r": (1, -3), "r_xi"
 """Lines 1622, 1636, 1675 and 1718."""
 ORDERS = range(24)
 """n, where the monomials are written out."""
-ALGEBRA = Algebra("y z lam d delta")
-SCALED = {"specialZ": "-z - lam", "specialL": "z - y"}
-"""δ z' and λ_N of the inner scale."""
-SLOW = {"z": "y/2", "lam": "-y/2"}
+FAST = ("specialZ", "specialL")
+"""The equations of the inner scale that are not in the slow system."""
+SLOW = {"z0": "y0/2", "lam": "-y0/2"}
 """Lines 2036 and 2045."""
+PRINTED: dict[str, dict[str, str]] = {
+    "5-inner-slow": {
+        "specialX": "xi1 - (f + g*lam)", "specialPP": "p1 - a1", "specialB": "b1 - (a2 - a3*lam)",
+        "specialY": "y1 - v0", "specialV": "v1 - (b0 + p*lam)",
+    },
+}  # fmt: skip
+"""Lines 2039 to 2043, each with the equation of the inner scale that it is, F and G read without their tilde."""
 
 
 def is_part_of(inner: int, outer: int) -> bool:
@@ -103,27 +111,58 @@ def _right_sides() -> Entry:
     )
 
 
+def _special(name: str) -> fmpq_mpoly:
+    """An equation of the inner scale, left minus right."""
+    return RECURSION.read(section_5_recursion.PRINTED["5-inner-system"][name])
+
+
+def _rate_and_force() -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """δ z' by specialZ, and λ_N by specialL."""
+    symbols = RECURSION.symbols
+    return symbols["delta"] * symbols["z1"] - _special("specialZ"), symbols["lam"] - _special("specialL")
+
+
 def rests_there() -> bool | None:
     """Whether z = y/2 and λ_N = -y/2 make the right-hand side of δ z' vanish, with λ_N = z - y."""
-    images = {name: ALGEBRA.read(text) for name, text in SLOW.items()}
-    force = ALGEBRA.substitute(ALGEBRA.read(SCALED["specialL"]), images) - images["lam"]
-    return force.is_zero() and ALGEBRA.substitute(ALGEBRA.read(SCALED["specialZ"]), images).is_zero()
+    images = {name: RECURSION.read(text) for name, text in SLOW.items()}
+    rate, force = (RECURSION.substitute(value, images) for value in _rate_and_force())
+    return rate.is_zero() and (force - images["lam"]).is_zero()
 
 
 def goes_there() -> bool | None:
     """Whether the deviation d = z - y/2 at fixed y has δ d' = -2 d: one fast direction, which is stable."""
-    force = {"lam": ALGEBRA.read(SCALED["specialL"])}
-    rate = ALGEBRA.substitute(ALGEBRA.read(SCALED["specialZ"]), force)
-    deviation = {"z": ALGEBRA.read(SLOW["z"]) + ALGEBRA.symbols["d"]}
-    return (ALGEBRA.substitute(rate, deviation) + 2 * ALGEBRA.symbols["d"]).is_zero()
+    rate, force = _rate_and_force()
+    d = RECURSION.symbols["u0"]
+    rate = RECURSION.substitute(rate, {"lam": force})
+    return (RECURSION.substitute(rate, {"z0": RECURSION.read(SLOW["z0"]) + d}) + 2 * d).is_zero()
 
 
 def others_are_slow() -> bool | None:
     """Whether specialX to specialV have neither z nor a factor δ, in front of a derivative or of a term."""
     equations = section_5_recursion.PRINTED["5-inner-system"]
-    read = section_5_recursion.ALGEBRA.read
-    slow = [read(text) for name, text in equations.items() if name not in SCALED]
+    slow = [_special(name) for name in equations if name not in FAST]
     return bool(slow) and all(value.derivative(name).is_zero() for value in slow for name in ("z0", "z1", "delta"))
+
+
+def is_the_slow_system() -> bool | None:
+    """Whether the printed slow system has the equations of the inner scale but for specialZ and specialL, each once."""
+    printed = PRINTED["5-inner-slow"]
+    left = [name for name in section_5_recursion.PRINTED["5-inner-system"] if name not in FAST]
+    same = sorted(printed) == sorted(left)
+    return same and all((RECURSION.read(printed[name]) - _special(name)).is_zero() for name in left)
+
+
+def by_forces_of_rest() -> bool | None:
+    """Whether, with z and λ_N at rest, the printed lines are what z in λ_N = z - y makes of specialX to specialV."""
+    rest = {name: RECURSION.read(text) for name, text in SLOW.items()}
+    _, force = _rate_and_force()
+    return all(
+        (
+            RECURSION.substitute(RECURSION.substitute(_special(name), {"lam": force}), {"z0": rest["z0"]})
+            - RECURSION.substitute(RECURSION.read(text), {"lam": rest["lam"]})
+        ).is_zero()
+        for name, text in PRINTED["5-inner-slow"].items()
+    )
 
 
 def _inner_slow() -> Entry:
@@ -132,17 +171,18 @@ def _inner_slow() -> Entry:
         "lines 2035 to 2045",
         r"\tilde z\to\tilde y/2,\quad\lambda_N=-\tilde y/2",
         "On the inner scale z is the one fast variable: at fixed y it goes to y/2 like e^(-2s/δ), and then λ_N = -y/2; "
-        "specialX to specialV have z by λ_N alone, and no factor δ",
+        "specialX to specialV have z by λ_N alone, and no factor δ, and are the printed slow system",
         Rung.EXACT.check(
-            "specialZ and specialL at rest; the symbols of specialX to specialV",
-            all_of([rests_there(), others_are_slow()]),
+            "specialZ and specialL at rest; the symbols of specialX to specialV; the printed lines are these five",
+            all_of([rests_there(), others_are_slow(), is_the_slow_system()]),
         ),
         Rung.EXACT.check(
-            "the deviation of z from y/2 in specialZ; the symbols of specialX to specialV",
-            all_of([goes_there(), others_are_slow()]),
+            "the deviation of z from y/2 in specialZ; the symbols of specialX to specialV; these with z = y/2 put into "
+            "λ_N = z - y are the printed lines with λ_N = -y/2",
+            all_of([goes_there(), others_are_slow(), by_forces_of_rest()]),
         ),
-        note="The last clause has one check, which stands in both. δ stands in ξ = ξ* + δ² ξ~ too. The printed slow "
-        "system has F and G with a tilde: 5-letters.",
+        note="That there is no other z and no factor δ has one check, which stands in both. δ stands in "
+        "ξ = ξ* + δ² ξ~ too. The printed slow system has F and G with a tilde, read here without it: 5-letters.",
     )
 
 

@@ -46,6 +46,27 @@ def test_another_fast_equation_is_seen(monkeypatch: pytest.MonkeyPatch, name: st
     assert [check.agrees for check in ledger.ENTRIES["5-inner-slow"]().checks] == [False, False]
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("specialX", "xi1 - (f + 2*g*lam)"),
+        ("specialPP", "p1 + a1"),
+        ("specialB", "b1 - (a2 + a3*lam)"),
+        ("specialY", "y1 - 2*v0"),
+        ("specialV", "v1 - (b0 + p*lam + z0)"),
+    ],
+)
+def test_another_slow_system_is_not_the_printed_one(monkeypatch: pytest.MonkeyPatch, name: str, text: str) -> None:
+    assert ledger.is_the_slow_system() is ledger.by_forces_of_rest() is True
+    monkeypatch.setitem(ledger.PRINTED["5-inner-slow"], name, text)
+    assert ledger.is_the_slow_system() is ledger.by_forces_of_rest() is False
+
+
+def test_a_slow_system_without_one_of_its_equations(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(ledger.PRINTED["5-inner-slow"], "specialPP")
+    assert ledger.is_the_slow_system() is False
+
+
 @given(*(st.tuples(st.integers(0, 4), st.integers(0, 4)) for _ in range(2)))
 def test_the_highest_power_of_a_product_is_that_of_its_monomials(first: ledger.Pair, second: ledger.Pair) -> None:
     for parity, indices in enumerate(ledger.product_of(first, second)):
@@ -56,5 +77,5 @@ def test_the_highest_power_of_a_product_is_that_of_its_monomials(first: ledger.P
 
 def test_no_other_equation_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     system = section_5_recursion.PRINTED["5-inner-system"]
-    monkeypatch.setitem(section_5_recursion.PRINTED, "5-inner-system", {name: system[name] for name in ledger.SCALED})
+    monkeypatch.setitem(section_5_recursion.PRINTED, "5-inner-system", {name: system[name] for name in ledger.FAST})
     assert ledger.others_are_slow() is False

@@ -11,6 +11,7 @@ from gspot_verified.paper.section_5 import (
     section_5_matching,
     section_5_outer,
     section_5_recursion,
+    section_5_right_sides,
 )
 from gspot_verified.paper.section_5.explicit_expansions import SPACES
 from gspot_verified.paper.section_5.section_5_spaces import COROLLARY
@@ -42,6 +43,13 @@ def _section_5() -> list[Row]:
         recursion,
         tilde,
         *((part, 1397 + k, 1397 + k, 0, difference) for k, part in enumerate(lines)),
+    )
+    without_tilde = tilde | {r"\tilde{F}(\xi)": "f", r"\tilde{G}(\xi)": "g"}
+    found += rows(
+        "5-inner-slow",
+        section_5_right_sides.PRINTED,
+        without_tilde,
+        *((part, 2039 + k, 2039 + k, 0, difference) for k, part in enumerate(lines[:5])),
     )
     start = CONSTANTS | {rf"\tilde{{{name}}}(0,\delta)": name for name in "pbyv"}
     start |= {rf"\{name}{name.upper()}(\xi^*+\delta^2\tilde{{\xi}}(0,\delta))": name.upper() for name in "pbyv"}
