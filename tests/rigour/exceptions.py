@@ -8,12 +8,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from rigour.rules import EVIDENCE, FLOATS, NEGATION, ORDER, RULES, SAYS, ZERO, Finding
+from rigour.rules import EVIDENCE, FLOATS, NEGATION, ORDER, RULES, SAYS, WRITTEN, ZERO, Finding
 
 LIST = Path(__file__).with_name("exceptions.toml")
 
 _FREE_OF = {
-    "heuristics": (FLOATS, ORDER, ZERO, NEGATION),
+    "heuristics": (FLOATS, ORDER, ZERO, NEGATION, WRITTEN),
     "faces": tuple(rule for rule in RULES if rule not in (EVIDENCE, SAYS)),
 }
 

@@ -8,16 +8,17 @@ from dataclasses import dataclass
 
 from rigour.types_of_expressions import BALL, FLOAT, UNKNOWN, Kinds
 
-FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, EVIDENCE, SAYS = (
-    "floats", "order", "negation", "zero", "hull", "except", "assert", "evidence", "says"
+FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, EVIDENCE, SAYS, WRITTEN = (
+    "floats", "order", "negation", "zero", "hull", "except", "assert", "evidence", "says", "written"
 )  # fmt: skip
-RULES = (FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, EVIDENCE, SAYS)
+RULES = (FLOATS, ORDER, NEGATION, ZERO, HULL, EXCEPT, ASSERT, EVIDENCE, SAYS, WRITTEN)
 
 _ORDERINGS = ("min", "max", "sorted", "sort", "nsmallest", "nlargest", "bisect", "bisect_left", "bisect_right")
 _COMPARED = (ast.Lt, ast.Gt, ast.LtE, ast.GtE, ast.Eq, ast.NotEq)
 _BROAD = ("BaseException", "Exception", "ValueError", "TypeError", "ArithmeticError", "RuntimeError",
           "AttributeError", "LookupError", "AssertionError")  # fmt: skip
 _SAYING = ("proved", "refuted")
+_OUTWARD = ("ball_text",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +34,10 @@ class Finding:
 def findings(tree: ast.Module, kinds: Kinds) -> Iterator[Finding]:
     """Every place of the file that breaks a rule."""
     scopes = _scopes(tree, kinds)
-    ignored = _of_types(tree)
+    ignored, claiming_nothing = _of_types(tree), _of_refusals(tree)
     for node in ast.walk(tree):
+        if _writes_outward(node, kinds) and id(node) not in claiming_nothing:
+            yield Finding(WRITTEN, getattr(node, "lineno", 0), scopes[id(node)].name, ast.unparse(node).splitlines()[0])
         if id(node) in ignored or not isinstance(node, ast.expr | ast.stmt | ast.ExceptHandler):
             continue
         for rule in _broken(node, kinds, scopes):
@@ -75,6 +78,19 @@ def _takes_a_float(node: ast.AST) -> bool:
     if isinstance(node, ast.Name):
         return isinstance(node.ctx, ast.Load) and node.id in ("float", "complex", "approximate")
     return isinstance(node, ast.Attribute) and node.attr == "mid"
+
+
+def _writes_outward(node: ast.AST, kinds: Kinds) -> bool:
+    """A ball as text: ``ball_text``, ``str`` of a ball, a ball in an f-string. The text holds more than the ball."""
+    if isinstance(node, ast.FormattedValue):
+        return BALL in kinds(node.value)
+    if isinstance(node, ast.Name):
+        return isinstance(node.ctx, ast.Load) and node.id in _OUTWARD
+    if not (isinstance(node, ast.Call) and _called(node) == "str"):
+        return False
+    if isinstance(node.func, ast.Attribute):
+        return BALL in kinds(node.func.value)
+    return any(BALL in kinds(argument) for argument in node.args)
 
 
 def _makes_evidence_by_hand(node: ast.AST) -> bool:
@@ -176,6 +192,13 @@ def _scopes(tree: ast.Module, kinds: Kinds) -> dict[int, _Scope]:
 
     visit(tree, _Scope(""))
     return found
+
+
+def _of_refusals(tree: ast.Module) -> set[int]:
+    """The nodes of errors that are raised and of verdicts that are undecided: they claim nothing."""
+    places = [node for node in ast.walk(tree) if isinstance(node, ast.Raise)
+              or (isinstance(node, ast.Call) and _called(node) == "undecided")]  # fmt: skip
+    return {id(part) for place in places for part in ast.walk(place)}
 
 
 def _of_types(tree: ast.Module) -> set[int]:

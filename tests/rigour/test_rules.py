@@ -8,7 +8,21 @@ from pathlib import Path
 
 import pytest
 from rigour.exceptions import LIST, complaints, exceptions
-from rigour.rules import ASSERT, EVIDENCE, EXCEPT, FLOATS, HULL, NEGATION, ORDER, RULES, SAYS, ZERO, Finding, findings
+from rigour.rules import (
+    ASSERT,
+    EVIDENCE,
+    EXCEPT,
+    FLOATS,
+    HULL,
+    NEGATION,
+    ORDER,
+    RULES,
+    SAYS,
+    WRITTEN,
+    ZERO,
+    Finding,
+    findings,
+)
 from rigour.types_of_expressions import Kinds, kinds_in_files
 
 HEAD = """
@@ -17,7 +31,8 @@ from functools import reduce
 from flint import arb, fmpq
 from typing import Any
 
-approximate: Any; hull: Any; nonfinite: Any; sign_of: Any; Outcome: Any; Reason: Any; Verdict: Any
+approximate: Any; ball_text: Any; hull: Any; inner_text: Any
+nonfinite: Any; sign_of: Any; Outcome: Any; Reason: Any; Verdict: Any
 
 class Hit:
     time: arb
@@ -67,6 +82,13 @@ FLAGGED = {
     "who hands the constructor on": (SAYS, "return Verdict.refuted"),
     "evidence made by hand": (EVIDENCE, "return Verdict.proved('it holds', unknown._of_facts(('it holds',)))"),
     "who builds a verdict": (SAYS, "return Verdict(Outcome.PROVED, 'it holds')"),
+    "a ball as text": (WRITTEN, "return f'for every beta in {ball_text(x)}'"),
+    "the text of balls handed on": (WRITTEN, "return [*map(ball_text, parts)]"),
+    "a ball in a text": (WRITTEN, "return f'for every beta in {x}'"),
+    "what may be a ball in a text": (WRITTEN, "return f'for every beta in {either}'"),
+    "str of a ball": (WRITTEN, "return str(x)"),
+    "digits of a ball": (WRITTEN, "return x.str(5)"),
+    "a ball beside an error": (WRITTEN, "text = ball_text(x)\n    raise ValueError(text)"),
 }
 
 PASSES = {
@@ -90,6 +112,10 @@ PASSES = {
     "raised again": "try:\n        return 1 / q\n    except ValueError as error:\n        raise TypeError from error",
     "what mypy cannot see": "assert unknown is not None\n    assert isinstance(x, arb)",
     "names of types": "values: list[float] = []\n    return isinstance(x, float | int), values",
+    "a ball rounded inward": "return f'for every beta in {inner_text(x)}'",
+    "a number as text": "return f'for beta = {q}', str(q)",
+    "an error about a ball": "raise ValueError(f'{ball_text(x)} holds an integer, as {x}')",
+    "undecided about a ball": "return Verdict.undecided(f'beta in {ball_text(x)}', Reason.HYPOTHESIS, str(x))",
     "what others concluded": "return unknown.verdict.outcome is Outcome.PROVED",
 }
 

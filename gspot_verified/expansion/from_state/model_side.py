@@ -24,7 +24,7 @@ from gspot_verified.expansion.true_solutions.bound import BITS, rational
 from gspot_verified.expansion.true_solutions.delta_ranges import in_ranges, smallest
 from gspot_verified.expansion.true_solutions.equations import Residuals
 from gspot_verified.expansion.true_solutions.side_end import SideEnd, first_entered, joined, latest_at, proved_so_far
-from gspot_verified.numbers.balls import ExactInput, ball, ball_text, hull, working_bits
+from gspot_verified.numbers.balls import ExactInput, ball, ball_text, float_bounds, hull, rounded_text, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -83,8 +83,11 @@ class ModelSide(NoTruthValue, Written):
     def __str__(self) -> str:
         lines = [str(self.verdict), f"  C_1 = {ball_text(self.c_1, 6)}"]
         if self.entered is not None:
-            lines.append(f"  at epsilon = {self.epsilon} by t = {ball_text(self.latest(self.epsilon), 5)} after p = 0")
+            lines.append(f"  at epsilon = {self.epsilon} by t = {self._text()} after p = 0")
         return "\n".join(lines)
+
+    def _text(self) -> str:
+        return rounded_text(float_bounds(self.latest(self.epsilon))[1], 1, 5)
 
 
 def model_side(

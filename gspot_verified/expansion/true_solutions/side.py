@@ -24,7 +24,17 @@ from gspot_verified.expansion.true_solutions.side_end import (
 )
 from gspot_verified.expansion.true_solutions.slow_deviation import slow_deviation
 from gspot_verified.expansion.true_solutions.track import track
-from gspot_verified.numbers.balls import Exact, ExactInput, add_remainder, approximate, ball, ball_text, working_bits
+from gspot_verified.numbers.balls import (
+    Exact,
+    ExactInput,
+    add_remainder,
+    approximate,
+    ball,
+    ball_text,
+    float_bounds,
+    rounded_text,
+    working_bits,
+)
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -87,7 +97,7 @@ class UniformSide(NoTruthValue, Written):
         return "\n".join(lines)
 
     def _text(self) -> str:
-        return ball_text(self.latest(self.delta), 5)
+        return rounded_text(float_bounds(self.latest(self.delta))[1], 1, 5)
 
 
 def uniform_side(

@@ -27,6 +27,7 @@ from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.numbers.balls import current_bits
 from gspot_verified.numbers.evidence import every, inside
+from gspot_verified.numbers.inner_text import text_of_each
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 
 MAX_STEPS = 20_000  # against endless work; then the run is open
@@ -141,7 +142,7 @@ def integrate(field: VectorField, box: Sequence[arb], time: arb, max_steps: int 
         raise ValueError(f"time: expected a finite positive number, got {time}")
     run = Run(field, box, time, max_steps)
     segments = tuple(run)
-    statement = f"every solution from the box exists up to the time {time.str(10)}"
+    statement = f"every solution from the box exists up to the time {text_of_each(time)}"
     if run.reason is not None or not segments:
         verdict = Verdict.undecided(statement, Reason.BUDGET, f"{run.reason}, at the time {run.time.str(10)}")
         return Integration(verdict, None, run.time, segments)

@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar
 from flint import arb
 
 from gspot_verified.mechanisms.spots.classify import case_text
-from gspot_verified.numbers.balls import ShownBall, ball_text
+from gspot_verified.numbers.balls import ShownBall, ball_text, float_bounds, rounded_text
 from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
 
@@ -148,7 +148,7 @@ class Approach(NoTruthValue, Written):
         if self.surface_velocity is None and self.least_slip is not None:
             texts.append(
                 f"u is not positive here: positive slip needs a surface that moves with a velocity below "
-                f"{ball_text(self.least_slip, 6)}; nothing is said about stick"
+                f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)}; nothing is said about stick"
             )
         return tuple(texts)
 

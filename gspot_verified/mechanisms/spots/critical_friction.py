@@ -339,7 +339,7 @@ class _Maximum:
         pairs = zip(self._mass[0].variables, box, strict=True)
         sides = ", ".join(f"{word} = {in_words(self._mechanism, word, side)}" for i, side in pairs
                           for word in [self._mechanism.state[i]])  # fmt: skip
-        return f"everywhere in contact: not {'at' if self._constraint is None else 'somewhere at'} {sides}"
+        return f"everywhere in contact: not somewhere at {sides}"
 
     def _result(self, value: arb | None, places: tuple[Place, ...], reason: str) -> CriticalFriction:
         return CriticalFriction(self._mechanism.name, value, places, self._friction, reason)

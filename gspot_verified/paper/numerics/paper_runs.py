@@ -22,7 +22,7 @@ from gspot_verified.compliant.fast.fast_path_bound import decaying_bounds, oscil
 from gspot_verified.compliant.fast.late_bound import late_bounds
 from gspot_verified.compliant.slow.grid import scale
 from gspot_verified.compliant.slow.slow_solution import slow_value
-from gspot_verified.numbers.balls import ShownBall, ball_text, working_bits
+from gspot_verified.numbers.balls import ShownBall, float_bounds, rounded_text, working_bits
 from gspot_verified.numbers.evidence import equal, every, less
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
@@ -91,7 +91,8 @@ def paper_run(beta: fmpq, nu: fmpq) -> PaperRun:
         margin = margin_up_to(beta, nu, largest)
         if margin is not None and (positive := less(0, margin)) is not None:
             text = f"in the compliant model, β = {beta}, ν = {nu}, every ε in (0, {largest}]: {_FATES[fate]}"
-            detail = f"λ_N is at least {ball_text(margin, 5)} times |mean force| {_WHERE[fate]}"
+            least = rounded_text(float_bounds(margin)[0], -1, 5)
+            detail = f"λ_N is at least {least} times |mean force| {_WHERE[fate]}"
             return PaperRun(beta, nu, fate, largest, Verdict.proved(text, positive, detail), margin)
     text = f"in the compliant model, β = {beta}, ν = {nu}, some ε0: {_FATES[fate]}"
     return PaperRun(beta, nu, fate, None, Verdict.undecided(text, Reason.BUDGET, "no ε0 >= 1/1000 was found"))

@@ -15,7 +15,7 @@ from gspot_verified.expansion.from_state.limit_side import OTHER, limit_side
 from gspot_verified.expansion.series.legend import DELTA_FACTORS
 from gspot_verified.expansion.trajectory import expand_system
 from gspot_verified.expansion.true_solutions.side import UniformSide, uniform_side
-from gspot_verified.numbers.balls import ball, ball_text, working_bits
+from gspot_verified.numbers.balls import ball, float_bounds, rounded_text, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
@@ -161,7 +161,8 @@ def _latest(amount: fmpq) -> str:
     found = side_of(amount)
     if found.entered is None:
         return "nothing is proved"
-    return f"C_1 = {amount}: {found.side}, at ε_0 before s = {ball_text(found.latest(LARGEST_DELTA), 3)}"
+    latest = rounded_text(float_bounds(found.latest(LARGEST_DELTA))[1], 1)
+    return f"C_1 = {amount}: {found.side}, at ε_0 before s = {latest}"
 
 
 def _side() -> Entry:

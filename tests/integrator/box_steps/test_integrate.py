@@ -260,3 +260,11 @@ def test_one_component_without_a_series_is_enough_to_prove_nothing() -> None:
         run = Run(VectorField([Constant(fmpq(1)), Power(x, fmpq(1, 2))]), [arb(0), arb(1)])
         assert list(run) == []
         assert "no step could be proved" in (run.reason or "")
+
+
+def test_a_ball_of_times_is_written_no_wider_than_it_is() -> None:
+    """What is said holds for each time of the ball."""
+    with working_bits(100):
+        found = integrate(VectorField([x * x]), [arb(1)], arb("0.5", "0.0123456"))
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.verdict.statement == "every solution from the box exists up to the time [0.48766, 0.51234]"

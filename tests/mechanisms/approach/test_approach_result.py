@@ -41,7 +41,7 @@ def test_what_is_said_of_each_end() -> None:
     assert bare.endswith("\n  noted")
     moving = replace(found, surface_velocity=None, least_slip=arb(-2))
     assert moving.warnings[0].startswith("u is not positive here: positive slip needs a surface that moves with a vel")
-    assert moving.warnings[0].endswith("below -2.00000; nothing is said about stick")
+    assert moving.warnings[0].endswith("below -2.00001; nothing is said about stick")
     assert replace(moving, least_slip=None).warnings == ()
     first, second = replace(moving, supposed=("y", "v")).warnings
     assert first.startswith("the state is supposed to lie on the contact: y, v = 0 there is not shown")
