@@ -281,10 +281,10 @@ def with_masses(first: str, last: str) -> Mechanism:
         ("1", "1", 2, ""),
         ("1", "3/2 + cos(theta)", 2, ""),
         ("1", "1/2 + sin(theta)", 1, "not somewhere at theta = ["),  # at one of the two places
-        ("1/2 - cos(theta)^2/4", "3/4 - sin(theta)^2", 0, "not at theta = ["),  # 3/4 < sin^2 = 4/5 at both
-        ("1", "cos(s)", 0, "not at s = ["),
+        ("1/2 - cos(theta)^2/4", "3/4 - sin(theta)^2", 0, "not somewhere at theta = ["),  # 3/4 < sin^2 = 4/5 at both
+        ("1", "cos(s)", 0, "not somewhere at s = ["),
         ("-1", "1", 0, "in any configuration"),
-        ("1", "-cos(theta)^2 - 1", 0, "everywhere in contact: not at theta"),
+        ("1", "-cos(theta)^2 - 1", 0, "everywhere in contact: not somewhere at theta"),
     ],
 )
 def test_a_mass_matrix_that_is_indefinite_somewhere_is_said(first: str, last: str, places: int, said: str) -> None:
