@@ -43,6 +43,7 @@ KINDS = (
     "mechanism_expansions",
     "uniform",
     "certificates",
+    "sealed",
     "journals",
     "merged",
     "reports",

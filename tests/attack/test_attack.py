@@ -30,6 +30,7 @@ from attack import (
     merged,
     motion,
     scenes,
+    sealed,
     side,
     signs,
     sweeps,
@@ -74,6 +75,7 @@ SLICE = {
     "mechanism_expansions": (2, 3, 5),
     "uniform": (2, 3, 5, 6),
     "certificates": (*range(11), 12),
+    "sealed": range(12),
     "journals": (*range(3), 5),
     "merged": (0, 2, 4, 5, 7),
     "reports": range(10),
@@ -294,6 +296,11 @@ LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], Iterable[int]]] = {
         lambda patch: patch.setattr(certificates, "checker", lambda: SimpleNamespace(
             main=SimpleNamespace(check_text=believing),
             limits=SimpleNamespace(Limits=lambda: None, Rejected=ValueError))), range(8),
+    ),
+    "sealed": (
+        lambda patch: patch.setattr(sealed, "checker", lambda: SimpleNamespace(
+            main=SimpleNamespace(check_text=believing),
+            limits=SimpleNamespace(Limits=lambda: None, Rejected=ValueError))), range(12),
     ),
     "journals": (lying(journals, "sign_on_ranges", proved), (9,)),
     "kept": (lambda patch: patch.setattr(kept, "Cache", CredulousCache), range(6)),
