@@ -21,6 +21,7 @@ PRINTED: dict[str, dict[str, str]] = {
         "equation": "alpha3*b0 + alpha1*t*(alpha2-b1) + epsilon*(alpha3*b1 + alpha1*(alpha2-b1) - alpha1*t*b2)"
         " - 2*epsilon^2*b3 - epsilon^3*b4"
     },
+    "4-difference": {"0": "epsilon^2*(alpha2-b1)", "1": "-epsilon^2*b2", "2": "-epsilon^2*b3"},
     "4-recover": {
         "y": "epsilon^2*(alpha3*b0 + alpha1*t*(alpha2-b1) - 2*(alpha2-b1)) - epsilon^3*b2 - epsilon^4*b3",
         "v": "-epsilon*(alpha3*b0 + alpha1*t*(alpha2-b1)) + 2*epsilon^2*b2 + epsilon^3*b3",
@@ -166,6 +167,31 @@ def _on_solutions(parts: Parts, free: bool) -> list[fmpq_mpoly]:
     return [along(parts[name], "b", free) - ALGEBRA.read(f"epsilon^4*alpha3*({text})") for name, text in values.items()]
 
 
+def _difference() -> Entry:
+    this = claim("4-difference")
+
+    def differentiated(parts: Parts) -> list[fmpq_mpoly]:
+        first, second, third = (parts[name] for name in "012")
+        z, y = (ALGEBRA.read(PRINTED["4-recover"][name]) for name in "zy")
+        return [first - (z - y), second - _d(first), third - _d(second)]
+
+    def on_solutions(parts: Parts) -> list[fmpq_mpoly]:
+        # z - y is epsilon^2 times that of the scaled variables; the field is epsilon d/dt, and along has epsilon^4.
+        states, epsilon = ALGEBRA.read("z - y"), _SYMBOLS["epsilon"]
+        rates = [ALGEBRA.derivative(states, field(True), k) for k in range(3)]
+        wanted = [_SYMBOLS["alpha3"] * epsilon ** (6 - k) * rate for k, rate in enumerate(rates)]
+        return [along(parts[str(k)]) - value for k, value in enumerate(wanted)]
+
+    return SECTION.settled(
+        "4-difference",
+        "lines 978 to 980",
+        r"\alpha_3^*(z-y)=\epsilon^2(\alpha_2-\dot b),\ \alpha_3^*(\dot z-\dot y)=-\epsilon^2\ddot b,\ \ldots",
+        "In contact z - y and its first two derivatives are given by the first three of b, as printed",
+        this.check("the difference of modelSysRecoverZ and modelSysRecoverY, twice differentiated", differentiated),
+        this.check("along the vector field of the system", on_solutions),
+    )
+
+
 def _recover() -> Entry:
     this = claim("4-recover")
     equation = ALGEBRA.read(PRINTED["4-eliminated"]["equation"])
@@ -233,6 +259,7 @@ def _deviation_recover() -> Entry:
 ENTRIES: Builders = {
     "4-eliminated": _eliminated,
     "4-order": _order,
+    "4-difference": _difference,
     "4-recover": _recover,
     "4-deviation": _deviation,
     "4-deviation-recover": _deviation_recover,

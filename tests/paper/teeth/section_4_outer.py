@@ -20,6 +20,11 @@ def without_contact(honest: Any) -> Any:
     return lambda free: {**honest(free), "z": ledger.ALGEBRA.read("-z")}
 
 
+def in_flight(honest: Any) -> Any:
+    """λ_N = 0 in the equation of b: the same, where z has no part."""
+    return lambda free: {**honest(free), "b0": ledger.ALGEBRA.read("epsilon*alpha2")}
+
+
 def without_alpha_3(honest: Any) -> Any:
     """α_3 = 0: without the hypothesis α_3 < 0."""
     zero = {"alpha3": ledger.ALGEBRA.constant(0)}
@@ -51,6 +56,10 @@ def of_recovery(identifier: str) -> tuple[Bite, ...]:
 
 
 TEETH: Teeth = {
+    "4-difference": tuple(
+        Bite("hypothesis", ledger, "field", in_flight) if bite.kind == "hypothesis" else bite
+        for bite in of_recovery("4-difference")
+    ),
     "4-eliminated": of_equation("4-eliminated"),
     "4-order": (
         Bite("factor", ledger.CORRECTED["4-order"], "order", scaled),

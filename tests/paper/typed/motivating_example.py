@@ -149,6 +149,13 @@ def _section_4() -> list[Row]:
     plain, hatted = CONSTANTS | jets("b", "t", "b"), CONSTANTS | jets(r"\hat{b}", "t", "b")
     recovered = ("y", "v", "z", "lambda")
     found = rows("4-eliminated", outer, plain, ("equation", 983, 985, 0, of_side(0)))
+    of_difference = plain | {
+        r"\alpha_2": "alpha2",
+        "(z-y)": "1",
+        r"(\dot{z}-\dot{y})": "1",
+        r"(\ddot{z}-\ddot{y})": "1",
+    }
+    found += rows("4-difference", outer, of_difference, *((str(k), 978, 980, k, of_side(1)) for k in range(3)))
     found += rows(
         "4-recover", outer, plain, *((part, 990 + k, 990 + k, 0, of_side(1)) for k, part in enumerate(recovered))
     )

@@ -20,10 +20,11 @@ from paper.paper_reader import read
 from paper.typed import general_system, motivating_example
 from paper.typed.latex_formula import Sides, formula, pieces, sides, tokens
 from paper.typed.row import Row
-from paper.typed.unread import UNREAD, UNTYPED
+from paper.typed.unread import DEFINITION, UNREAD, UNTYPED
 
 from gspot_verified.functions.symbols import RationalFunction, Symbols
 from gspot_verified.paper.checks.formulas import closed_form
+from gspot_verified.paper.claims import Standing, paper_claims
 from gspot_verified.paper.section_1 import section_1_rigid
 from gspot_verified.paper.section_2 import lagrangian
 from gspot_verified.paper.section_4 import (
@@ -199,7 +200,19 @@ def test_every_display_is_read_or_has_a_reason() -> None:
     displays = read(PAPER.read_text(encoding="utf-8")).displays
     compared = {d.first for d in displays if any(d.first <= row.last and row.first <= d.last for row in ROWS)}
     assert {d.first for d in displays} - compared == set(UNREAD)
-    assert (len(displays), len(compared)) == (144, 90)
+    assert (len(displays), len(compared)) == (144, 91)
+
+
+def test_a_display_that_says_nothing_is_in_no_row_with_entries_alone() -> None:
+    if not PAPER.is_file():
+        pytest.skip("the paper's source is not at hand")
+    displays = {d.first: d for d in read(PAPER.read_text(encoding="utf-8")).displays}
+    wrong = []
+    for first in (first for first, why in UNREAD.items() if why == DEFINITION):
+        rows = [row for row in paper_claims() if row.first <= displays[first].last and first <= row.last]
+        if rows and not any(row.without_entries is Standing.PREMISE for row in rows):
+            wrong.append(first)
+    assert wrong == []
 
 
 @pytest.mark.parametrize(
