@@ -185,13 +185,13 @@ def in_the_example(value: fmpq_mpoly) -> fmpq_mpoly:
     return MODEL.substitute(value, {name: MODEL.constant(number) for name, number in numbers.items()})
 
 
-def is_the_trivial_solution() -> bool:
+def is_the_trivial_solution() -> bool | None:
     """Whether each series for χ = 0 is what 2-trivial and 2-trivial-zy have."""
     texts = trivial.PRINTED["2-trivial"] | trivial.CORRECTED["2-trivial-zy"]
     return all(at_chi_0(name) == in_the_example(MODEL.read(text)) for name, text in texts.items())
 
 
-def solves_the_motivating_example() -> bool:
+def solves_the_motivating_example() -> bool | None:
     """Whether the series for χ = 0 solve modelsys1 to modelsys5 in contact, with v = 0, y and z constant."""
     found = {name: value for name in "pbyvz" if (value := at_chi_0(name)) is not None}
     if len(found) < len("pbyvz"):
@@ -200,7 +200,7 @@ def solves_the_motivating_example() -> bool:
     return all(in_the_example(value).is_zero() for value in (*at_rest, *trivial.in_model_system(found)))
 
 
-def further_terms_vanish() -> bool:
+def further_terms_vanish() -> bool | None:
     """Whether the recursion for χ = 0 has no term of the orders 1, ..., 11, for symbols α_1, α_3, c."""
     terms = extended_terms(_FURTHER, chi=False)
     return all(a == 0 for name in "pbyvz" for row in terms[name][1:] for a in row)
