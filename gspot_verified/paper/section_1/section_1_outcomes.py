@@ -6,6 +6,7 @@ b = (K + α_2 q s) e^(α_1 s) for α_1 = α_3. Signs stand for the α's: 1, 0, -
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import product
 
 from flint import fmpq_mpoly
@@ -26,8 +27,6 @@ FOURTH = {"alpha1": "-w", "alpha2": "m", "alpha3": "-u-w"}
 """α_1, α_3 < 0 in none of the Cases I, II, III: α_2 > 0 and α_3 < α_1."""
 LINE = {"alpha1": "-w", "alpha3": "u"}
 """Signs with which the states of one line alone go to the G-spot."""
-ATTRACTED = {"< -1": "I", "< 1": "II", "> -1": "III", "> 1": None}
-"""α_1 < α_3 or α_1 > α_3, and the sign of α_2: the Case, for α_1, α_3 < 0."""
 
 
 def _rates() -> dict[str, fmpq_mpoly]:
@@ -168,14 +167,23 @@ def fourth_goes_above() -> bool | None:
     return rising_signs(drift) and rising_signs(second)
 
 
+def ordered(images: Mapping[str, str]) -> tuple[bool, int] | None:
+    """Whether α_1 < α_3, and the sign of α_2; ``None``: one is open, or α_1 and α_3 are not both negative."""
+    first, second, third = (ALGEBRA.read(images[f"alpha{n}"]) for n in (1, 2, 3))
+    below, above = rising_signs(third - first), rising_signs(first - third)
+    up, down = rising_signs(second), rising_signs(-second)
+    if not (rising_signs(-first) and rising_signs(-third) and below != above and up != down):
+        return None
+    return below, 1 if up else -1
+
+
 def others_are_cases() -> bool | None:
-    """Whether of the four orders and signs with α_1, α_3 < 0 one alone is no Case, and it is ``FOURTH``."""
-    open_one = [key for key, case in ATTRACTED.items() if case is None]
-    images = {name: ALGEBRA.read(text) for name, text in FOURTH.items()}
-    order = ">" if rising_signs(images["alpha1"] - images["alpha3"]) else "<"
-    sign = 1 if rising_signs(images["alpha2"]) else -1
+    """Whether ``FOURTH`` is the one of the four orders and signs with α_1, α_3 < 0 that none of the Cases has."""
+    found = [ordered(images) for images in (*CASES.values(), FOURTH)]
+    if None in found:
+        return None
     ends = [end_of(first, third, True) for first, third in product(SIGNS, SIGNS) if (first, third) != (-1, -1)]
-    return open_one == [f"{order} {sign}"] and ends == [LEAVES] * 3
+    return len(found) == 4 and set(found) == set(product((True, False), SIGNS)) and ends == [LEAVES] * 3
 
 
 def one_line_alone() -> bool | None:

@@ -8,7 +8,10 @@ import pytest
 from flint import fmpq_mpoly
 
 from gspot_verified.paper.section_1 import section_1_cases as ledger
-from gspot_verified.paper.section_4_5 import strong_direction
+from gspot_verified.paper.section_1 import section_1_outcomes
+from gspot_verified.paper.section_3 import section_3_sentences
+from gspot_verified.paper.section_4 import section_4_trivial
+from gspot_verified.paper.section_4_5 import cases, strong_direction
 
 STEPS = (ledger.solves, ledger.stays_and_ends, ledger.force_moves)
 RATES = {"p": "alpha1*p", "b": "alpha2*p + alpha3*b"}
@@ -16,6 +19,23 @@ RATES = {"p": "alpha1*p", "b": "alpha2*p + alpha3*b"}
 
 def read(text: str) -> fmpq_mpoly:
     return ledger.ALGEBRA.read(text)
+
+
+@pytest.mark.parametrize(
+    ("case", "images"),
+    [
+        ("1-case-I", section_4_trivial.CASE_I),
+        ("1-case-II", section_4_trivial.IN_CONTACT["II"]),
+        ("1-case-III", section_4_trivial.IN_CONTACT["III"]),
+        ("1-case-II", section_3_sentences.CASE_II_SIGNS),
+        ("1-case-III", cases.CASE_III),
+    ],
+)
+def test_a_case_has_the_same_signs_and_order_wherever_it_is_written(case: str, images: dict[str, str]) -> None:
+    """u, w, ... are positive: other letters for them change no sign."""
+    letters = str.maketrans({"x": "m", "y": "m"})
+    here = {f"alpha{n}": (images.get(f"alpha{n}") or images[f"alpha_{n}"]).translate(letters) for n in (1, 2, 3)}
+    assert section_1_outcomes.ordered(here) == section_1_outcomes.ordered(ledger.CASES[case]) is not None
 
 
 @pytest.mark.parametrize("name", ledger.CASES)
