@@ -46,6 +46,8 @@ PROJECTED = {"u": "a + lamT*A + lam*B", "v": "b + lamT*B + lam*C"}
 """udynamics and vdynamics."""
 FRICTION = {"forwards": "-mu*lam", "backwards": "mu*lam"}
 """λ_T of eq. Coulomb for u > 0 and for u < 0."""
+PARAMETER = {"forwards": "C - mu*B", "backwards": "C + mu*B"}
+"""dv/dt for each unit of λ_N in positive and in negative slip."""
 BOUND = "k*(1 + r)*m"
 """The value of p u at the start, k = μA - B, that divides lift-off in slip from lift-off in stick."""
 SLOPE = {"v": "p", "u": "B - mu*A"}
@@ -277,14 +279,20 @@ def equations_are_mirrored() -> bool | None:
 
 
 def negative_slip_is_positive_slip() -> bool | None:
-    """Whether the accelerations of negative slip are those of positive slip, mirrored (that of u reversed)."""
+    """Whether the accelerations of negative slip are those of positive slip, mirrored (that of u reversed).
+
+    So is what λ_N has as its factor in dv/dt: ``PARAMETER``.
+    """
 
     def in_slip(name: str, way: str) -> fmpq_mpoly:
         return ALGEBRA.substitute(ALGEBRA.read(PROJECTED[name]), {"lamT": ALGEBRA.read(FRICTION[way])})
 
     backwards = {name: str(in_slip(name, "backwards")) for name in "uv"}
+    parameters = [in_slip("v", way).derivative("lam") - ALGEBRA.read(text) for way, text in PARAMETER.items()]
     return (
-        mirrored(backwards["v"]) == in_slip("v", "forwards")
+        all(value.is_zero() for value in parameters)
+        and mirrored(PARAMETER["backwards"]) == ALGEBRA.read(PARAMETER["forwards"])
+        and mirrored(backwards["v"]) == in_slip("v", "forwards")
         and (mirrored(backwards["u"]) + in_slip("u", "forwards")).is_zero()
     )
 
@@ -292,13 +300,15 @@ def negative_slip_is_positive_slip() -> bool | None:
 def _mirror() -> Entry:
     return SECTION.settled(
         "1-mirror",
-        "lines 172 to 175",
+        "eqs. udynamics, vdynamics and Coulomb, lines 172 to 175",
         r"\text{without loss of generality, only positive slip}",
         "Negative slip is positive slip with the tangential direction reversed: x, u, a, B and λ_T change their signs, "
         "and C + μB of negative slip becomes p = C - μB",
         Rung.EXACT.check("Coulomb's law and eqs. udynamics and vdynamics, mirrored", equations_are_mirrored()),
         Rung.EXACT.check(
-            "the accelerations of negative slip, mirrored, are those of positive slip", negative_slip_is_positive_slip()
+            "the accelerations of negative slip, mirrored, are those of positive slip; the factors C + μB and C - μB "
+            "of λ_N in dv/dt",
+            negative_slip_is_positive_slip(),
         ),
     )
 

@@ -154,7 +154,8 @@ def one_coefficient() -> bool | None:
 def one_coefficient_of_each() -> bool | None:
     """The same for the parts that one coordinate adds to u' and v', where M is diagonal: for any number of them.
 
-    Every symmetric M is so at one configuration, in coordinates that its eigenvectors make.
+    No factor of a force has a velocity: M and the gradients are functions of the coordinates and t. Every symmetric M
+    is so at one configuration, in coordinates that its eigenvectors make.
     """
     rate = MECHANISM.substitute(MECHANISM.read(MOTION["w1"]), {"m12": MECHANISM.constant(0)})
     parts = {name: MECHANISM.read(text).derivative("w1") * rate for name, text in {**TANGENTIAL, **NORMAL}.items()}
@@ -164,8 +165,14 @@ def one_coefficient_of_each() -> bool | None:
         for force in ("lamT", "lam")
         for other in ("lamT", "lam")
     ]
+    moving = [
+        part.derivative(force).derivative(velocity)
+        for part in parts.values()
+        for force in ("lamT", "lam")
+        for velocity in STATE[2:]
+    ]
     same = parts["u"].derivative("lam") - parts["v"].derivative("lamT")
-    return same.is_zero() and all(value.is_zero() for value in curved)
+    return same.is_zero() and all(value.is_zero() for value in (*curved, *moving))
 
 
 def one_coefficient_of_the_rod() -> bool | None:
@@ -220,10 +227,11 @@ def _projected() -> Entry:
         r"A=\mathcal L_{G_T}u,\ B=\mathcal L_{G_N}u=\mathcal L_{G_T}v,\ C=\mathcal L_{G_N}v",
         "M q'' = f + t λ_T + n λ_N with a positive definite mass matrix of any size, t and n the gradients of x and y: "
         "du/dt and dv/dt are linear in λ_T and λ_N, with a = L_F u and b = L_F v as the parts without a force; one B "
-        "stands in both, L_{G_N} u = L_{G_T} v",
+        "stands in both, L_{G_N} u = L_{G_T} v, and A, B and C are functions of the coordinates and t, as M, t and n "
+        "are; a and b may have the velocities too",
         Rung.EXACT.check(
             "where the mass matrix is diagonal: what each coordinate adds to du/dt and dv/dt, for any number of "
-            "coordinates",
+            "coordinates; no factor of a force has a velocity",
             one_coefficient_of_each(),
         ),
         Rung.POINTS.check(
@@ -250,7 +258,7 @@ def _slip_equations() -> Entry:
 
     return Section("Section 2").settled(
         "2-slip-equations",
-        "gensys2 to gensys5",
+        "lines 473 to 476, gensys2 to gensys5",
         r"\dot p=\alpha_1,\ \dot b=\alpha_2-\alpha_3\lambda_N,\ \dot y=v,\ \dot v=b+p\lambda_N",
         "In positive slip p, b, y, v satisfy the four equations, by the definitions of Sec. 2 and the two Lagrangian "
         "relations",

@@ -155,7 +155,7 @@ def _compliant() -> Entry:
 
     return Section("Section 2").settled(
         "2-compliant",
-        "eqs. compl1, compl2, lines 572 to 583",
+        "eqs. compliant1 to compliant3, compl1, compl2, lines 572 to 583",
         r"\epsilon\dot z=-z-\epsilon^2\lambda_N,\quad\lambda_N=\epsilon^{-2}(z-y)",
         "With k_1 = k_2 = 1/ε² and c = 1/ε eqs. compliant1 and compliant2 are, in contact, compl1 and compl2, for "
         "every ε > 0",

@@ -68,7 +68,7 @@ def _inner() -> Entry:
     images = [_DELTA ** (4 - k) * power for k, power in enumerate(_fast_powers())]
     return SECTION.settled(
         "4-inner",
-        "eq:modelSysDevInner",
+        "lines 1144 to 1146, eq:modelSysDevInner",
         r"\alpha_3^*\hat b-\alpha_1^*s\hat b'-2\hat b'''+\delta[\ldots]=0",
         "In the inner time s, t = δ² s with δ = ε^(1/3), eq. modelSysDev becomes eq. modelSysDevInner",
         this.check("chain rule in modelSysDev", lambda parts: [scaled(outer) - _DELTA**8 * parts["equation"]]),

@@ -97,7 +97,7 @@ def _inner_system() -> Entry:
 
     return SECTION.settled(
         "5-inner-system",
-        "eqs. specialX to specialL",
+        "eqs. genSysXi to genSysLN, lines 1384 to 1391, eqs. specialX to specialL",
         r"\tilde\xi'=F+G\lambda_N,\ldots,\ \delta\tilde z'=-\tilde z-\lambda_N,\ \lambda_N=\tilde z-\tilde y",
         "The scaled variables turn genSysXi to genSysLN into specialX to specialL",
         this.check("the scaled variables put into genSysXi to genSysLN", chain_rule),
@@ -140,7 +140,7 @@ def _scaled_start() -> Entry:
 
     return SECTION.settled(
         "5-scaled-start",
-        "eqs. specialInitialFirst to specialInitialFourth",
+        "eq. genSysSynch, eqs. specialInitialFirst to specialInitialFourth",
         r"\mathcal P(\xi^*+\delta^2\tilde\xi)-\delta^2\tilde p=0,\ \ldots,\ "
         r"\mathcal V(\xi^*+\delta^2\tilde\xi)-\delta^4\tilde v=0",
         "The synchronisation of p, b, y, v at s = 0 becomes, in the scaled variables and for all δ, "

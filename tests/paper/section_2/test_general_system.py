@@ -98,3 +98,10 @@ def test_one_b_coordinate_by_coordinate(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setitem(ledger.MOTION, "w1", "m22*(f1 + n1*lam^2)")
     monkeypatch.setitem(ledger.TANGENTIAL, "u", "t2*w2 + xt")  # in v' alone
     assert ledger.one_coefficient_of_each() is False
+
+
+def test_a_factor_of_a_force_has_no_velocity(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.one_coefficient_of_each() is True
+    honest = ledger.MOTION["w1"]
+    monkeypatch.setitem(ledger.MOTION, "w1", honest.replace("t1*lamT", "t1*w1*lamT").replace("n1*lam)", "n1*w1*lam)"))
+    assert ledger.one_coefficient_of_each() is False

@@ -25,6 +25,7 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.FORCES["T"], "w", unseen_at("s", (0, 1))),
         Bite("hypothesis", ledger.MOTION, "w1", replaced("m12", "m22")),
         Bite("hypothesis", ledger.TANGENTIAL, "u", replaced("t2", "n2")),
+        Bite("hypothesis", ledger.MOTION, "w1", lambda text: text.replace("t1*lamT", "t1*w1*lamT")),
         Bite("order", ledger.MOTION, "w1", replaced("n1*lam", "n1*lam^2")),
     ),
     "2-slip-equations": (

@@ -18,6 +18,9 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.PROJECTED, "v", unseen_at("B", (0, 1))),
         Bite("hypothesis", ledger.MIRROR, "B", lambda _: "B"),
         Bite("hypothesis", ledger.PROJECTED, "v", replaced("lamT*B", "lamT*C")),
+        Bite("hypothesis", ledger.PROJECTED, "v", replaced("+ lamT*B", "- lamT*B")),
+        Bite("hypothesis", ledger.PROJECTED, "v", replaced("+ lam*C", "- lam*C")),
+        Bite("hypothesis", ledger.PARAMETER, "backwards", lambda _: "C - mu*B"),
         NotApplicable("order", "exact symmetries; no order of an error occurs"),
     ),
     "1-stiffness": (
