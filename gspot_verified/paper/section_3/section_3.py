@@ -83,8 +83,9 @@ def _sides() -> Entry:
         _check("proofs/contact_motion.md, section 2: λ_N from modelSysDev, one series at the G-spot", at_the_end),
         corrected="β = 3/2: those above it take an impact, those below lift off first; β = 5/2: the other way round. "
         "The sentence is right for |b(0)|, as all b(0) are negative",
-        note="The runs that lift off take an impact afterwards: 3-after-lift-off. For ε → 0 this is the side of Sec. "
-        "4.5: an impact for C_1/Γ(-β) > 0, Γ(-3/2) > 0 > Γ(-5/2).",
+        note="That the others take an impact, for every ε up to 1/100 or 1/500: 3-varsim1b-1_4, 3-varsim1b-1_2, "
+        "3-varsim1c-2, 3-varsim1c-4. The runs that lift off take an impact afterwards: 3-after-lift-off. For ε → 0 "
+        "this is the side of Sec. 4.5: an impact for C_1/Γ(-β) > 0, Γ(-3/2) > 0 > Γ(-5/2).",
     )
 
 

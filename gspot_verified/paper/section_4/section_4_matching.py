@@ -136,7 +136,8 @@ def _matching() -> Entry:
         ),
         Rung.POINTS.check(
             f"both sides in numbers, Θ by its integral: at κ = {KAPPA}, ε = {EPSILON}, β = "
-            f"{', '.join(map(str, BETAS))} they differ less the larger -s is, like s^(-3)",
+            f"{', '.join(map(str, BETAS))} they differ by less than 10^-3 of them at s = {PLACES[0]}, and by less "
+            f"than a fortieth of that at s = {PLACES[1]}",
             all_of(sides_approach(beta) for beta in BETAS),
         ),
         note="κ > 0 (entry 4-theta), so that s → −∞ is τ → −∞.",

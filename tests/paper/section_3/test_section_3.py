@@ -11,7 +11,7 @@ from flint import arb, fmpq
 from gspot_verified.compliant.motion.run import ONE_FLIGHT
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.claims import paper_claims
-from gspot_verified.paper.section_3 import after_lift_off, section_3
+from gspot_verified.paper.section_3 import after_lift_off, section_3, varsim1
 
 BETA = fmpq(3, 2)
 
@@ -32,6 +32,16 @@ def test_the_statement_names_what_is_checked() -> None:
     assert section_3.IMPACT["corrected"] == {lower: 1, higher: -1}
     assert f"until {section_3.END} after" in entry.checks[0].what
     assert [section_3.mean_force(beta) for beta in (lower, higher)] == [2, fmpq(2, 3)]
+
+
+def test_the_corrected_sides_are_the_proved_fates() -> None:
+    """That a start takes an impact is no part of the checks: the note names the entries that show it."""
+    note = section_3.ENTRIES["3-sides"]().note
+    for beta, side in section_3.IMPACT["corrected"].items():
+        for nu in section_3.FACTORS:
+            takes_impact = (1 if nu < 1 else -1) == side
+            assert varsim1.FATES[beta][nu] == (varsim1.IMPACT if takes_impact else varsim1.LIFT_OFF)
+            assert (varsim1.identifier(beta, nu) in note) is takes_impact
 
 
 def test_an_impact_after_a_lift_off_is_not_meant() -> None:
