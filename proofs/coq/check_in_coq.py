@@ -5,7 +5,8 @@ Writes the text of the file, the same as a term, and a plan of the computation a
 Coq proves that the term has this text, and, by the theorem `certificate_checker`, that what it claims is true. A second
 source states this again and lets Coq print the text, the claim and the axioms. The text must be that of the file, the
 axioms those of the classical reals; the claim that is shown is the one that Coq printed. Each run has a folder of its
-own, which is removed, with a copy of the compiled proofs, which must be those of the record of `make prove`.
+own, which is removed, with a copy of the compiled proofs, which must be those of the record of `make prove`: both are
+believed, so who doubts what lies in build/coq runs `make prove` before.
 A file that has not the format of certificate.md (read by proofs/checker: canonical JSON, numbers, the hash) is refused
 before, so that no text of it can become a command of Coq; so is one with larger numbers than LARGEST,
 or longer than LONGEST.

@@ -24,6 +24,7 @@ _SAMELETTERS = str.maketrans(
         "\N{GREEK LUNATE EPSILON SYMBOL}": "\N{GREEK SMALL LETTER EPSILON}",
     }
 )
+_LOOKS = str.maketrans("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧο", "ABEZHIKMNOPTYXo")  # Greek, Latin
 
 
 class FormulaError(ValueError):
@@ -57,6 +58,20 @@ def check_name(name: str) -> str:
     if name == PI:
         raise FormulaError(f"{name!r} is a number and cannot be a name")
     return normal_name(name)
+
+
+def alike(names: Iterable[str]) -> tuple[str, str] | None:
+    """Two names that no reader can tell apart: a Greek letter stands in the one where the other has a Latin one.
+
+    >>> alike(["X", "Y", "\N{GREEK CAPITAL LETTER CHI}"]) == ("X", "\N{GREEK CAPITAL LETTER CHI}")
+    True
+    """
+    seen: dict[str, str] = {}
+    for name in names:
+        other = seen.setdefault(name.translate(_LOOKS), name)
+        if other != name:
+            return other, name
+    return None
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

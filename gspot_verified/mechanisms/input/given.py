@@ -14,7 +14,7 @@ from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 from gspot_verified.functions.derivative import ONE, ZERO, partial_derivative
 from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.mechanisms.formulas.formula import parse_formula
-from gspot_verified.mechanisms.formulas.names import FormulaError, check_name, nearest, normal_name
+from gspot_verified.mechanisms.formulas.names import FormulaError, alike, check_name, nearest, normal_name
 from gspot_verified.mechanisms.formulas.rewriting import along, simplified
 from gspot_verified.mechanisms.formulas.simplify import constant, minus, negative, sum_of
 from gspot_verified.mechanisms.formulas.symbol import SLIP_SPEED, Symbol, count_operations, variable_indices
@@ -80,6 +80,8 @@ class FormulaReader:
         twice = next((word for word in words if word in self.state), None)
         if twice is not None:
             raise MechanismError(f"{name}: the name {twice!r} is used twice")
+        if pair := alike([*self.state, *words]):
+            raise MechanismError(f"{name}: the names {pair[0]!a} and {pair[1]!a} look alike: one has a Greek letter")
         self._constants: dict[str, Expression] = {word: Symbol(word) for word in words}
         self._all = {word: Variable(i) for i, word in enumerate(self.state)} | self._constants
         only = {word: self._constants[word] for word in words[: len(parameters)]}

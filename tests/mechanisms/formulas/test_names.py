@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gspot_verified.mechanisms.formulas.names import FUNCTIONS, FormulaError, check_name, nearest, normal_name
+from gspot_verified.mechanisms.formulas.names import FUNCTIONS, FormulaError, alike, check_name, nearest, normal_name
 
 
 @pytest.mark.parametrize(
@@ -47,3 +47,12 @@ def test_only_a_text_is_a_name() -> None:
     for other in (3, None, b"x"):
         with pytest.raises(FormulaError, match="is no name"):
             check_name(other)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    "names", [("phi", "X", "\N{GREEK CAPITAL LETTER CHI}"), ("o_1", "\N{GREEK SMALL LETTER OMICRON}_1")]
+)
+def test_two_names_that_look_alike(names: tuple[str, ...]) -> None:
+    assert alike(names) == names[-2:]
+    assert alike(names[:-1]) is None
+    assert alike([*names[:-1], names[0]]) is None

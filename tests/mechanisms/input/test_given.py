@@ -186,6 +186,10 @@ def test_parameters_use_parameters_and_reference_angles_stay_out() -> None:
         ({"parameters": {"x": 1}}, "body: the name 'x' is used twice"),
         ({"parameters": {"x_ref": 1}, "angles": ANGLE}, "body: the name 'x_ref' is used twice"),
         ({"state": ("x", "x")}, "body: the name 'x' is used twice"),
+        (
+            {"parameters": {"A": 1, "\N{GREEK CAPITAL LETTER ALPHA}": 2}},
+            r"body: the names 'A' and '\\u0391' look alike: one has a Greek letter",
+        ),
         ({"state": ("x", "x_ref"), "angles": ANGLE}, "body: the name 'x_ref' is used twice"),
         ({"state": ("x", "sin")}, "body: 'sin' is a function"),
         ({"angles": {"z": ("3/5", "4/5")}}, "body: angle 'z' is no component of the state; it has: x, v"),
