@@ -23,6 +23,7 @@ from gspot_verified.theta_function.arrays.float_horner import (
     accepted,
     arithmetic_is_ieee,
     horner,
+    near_bounds,
 )
 from gspot_verified.theta_function.arrays.kept_panels import (
     FARTHEST_OF_ONE_POLYNOMIAL,
@@ -53,6 +54,7 @@ _LEAST_POINTS = 3
 _MANY_POINTS = 10_000  # from which on short panels are worth their series
 _POINTS_OF_A_PANEL = 40  # that cost as much as the panel's series; any number is right
 _POINTS_OF_A_LONG_PANEL = 40  # the same in pairs of doubles
+_LEAST_NEAR_ZEROS = 30  # points next to zeros from which on panels around these are worth their series
 _LEAST_PAIRS = 150  # points that cost as much in balls as any number of them, at least, in pairs of doubles
 _MOST_BITS = 1_200  # beyond them panels cost more than they save; any number is right
 _RELATIVE = 0.999e-15  # a little below 10^-15, for what the comparison itself rounds
@@ -127,7 +129,8 @@ def float_batch(points: FloatArray, beta: fmpq, derivative: int) -> tuple[FloatA
     if not (is_tame(beta) and len(points) >= _LEAST_POINTS and arithmetic_is_ieee()):
         left = np.arange(len(points))
     else:
-        left = _in_doubles(points, kept_panels(int(beta.p), int(beta.q), derivative), results)
+        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is left to balls
+            left = _in_doubles(points, kept_panels(int(beta.p), int(beta.q), derivative), results)
         if len(left) >= _LEAST_POINTS and np.abs(points[left]).max() <= FARTHEST_OF_ONE_POLYNOMIAL:
             values = _by_one_polynomial(points[left], beta, derivative, bits_for_digits(DOUBLE_DIGITS))
             left = _filled(results, left, *float_balls(values))
@@ -169,6 +172,7 @@ def _in_doubles(points: FloatArray, kept: KeptPanels, results: Results) -> Index
         if not good.all():
             missed.append(start + np.flatnonzero(np.logical_not(good)))
     left = np.concatenate(missed) if missed else np.empty(0, dtype=np.intp)
+    left = _around_zeros(points, left, kept, times, results)
     return _in_pairs_of_doubles(points, left, kept, times, results)
 
 
@@ -183,6 +187,24 @@ def _tables(kept: KeptPanels, cells: IndexArray, cover: _Cover) -> tuple[int, Fl
         part = slice(start - first, start - first + count)
         table[: len(one.table), part], errors[part] = one.table, one.errors
     return first, table, errors
+
+
+def _around_zeros(points: FloatArray, left: IndexArray, kept: KeptPanels, times: float, results: Results) -> IndexArray:
+    """Fill what panels around zeros reach in doubles; the indices of the points that are left."""
+    if len(left) * times < _LEAST_NEAR_ZEROS:
+        return left
+    cover = _cover(FINE)
+    panels = _locate(points[left], cover)
+    numbers, columns = np.unique(panels, return_inverse=True)
+    inside = (numbers >= 0) & (numbers < len(cover.cells))
+    if len(left) * times < _LEAST_NEAR_ZEROS * len(numbers) or not inside.all():
+        return left
+    around = kept.zero_panels(numbers)
+    values = np.empty(len(left))
+    sizes = horner(points[left], columns, around.centres, around.inverses, around.table, values)
+    radii = near_bounds(sizes, around.constants.take(columns), around.slopes.take(columns))
+    radii[np.logical_not(accepted(sizes))] = np.inf
+    return _filled(results, left, values, radii)
 
 
 def _in_pairs_of_doubles(

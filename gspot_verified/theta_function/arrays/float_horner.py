@@ -23,38 +23,49 @@ REACH_OF_DOUBLES = int(REACH.p) / int(REACH.q)  # exact: 1 + 2^-10
 _ACCEPTED = 1.0 + 2.0**-11  # bound of |s| as computed: statement F1
 SMALLEST = 2.0**-900  # a coefficient below it is replaced by 0: far above 2^-1022
 UNDERFLOW = 2.0**-880  # what underflows, at most: statement F2
+_LARGEST_ERROR = 2.0**900  # the coefficients are below 2^954 then, and no sum of theirs overflows: statement F2
 ROUNDED_UP = 1.0 + 2.0**-30  # covers what the sum of the bound rounds: statement F2
 BLOCK = 8_192
 """Points at a time: they stay in the processor's cache."""
 
 
 class FloatPolynomial(NamedTuple):
-    """Double coefficients; ``error`` bounds what :func:`horner` and the coefficients are wrong by on |s| <= REACH."""
+    """Double coefficients; ``error`` bounds what :func:`horner` and the coefficients are wrong by on |s| <= REACH.
+
+    ``constant`` and ``slope``: the parts of :func:`near_bounds`, which is the smaller one next to s = 0.
+    """
 
     coefficients: tuple[float, ...]
     error: float
+    constant: float
+    slope: float
 
 
 def float_polynomial(polynomial: arb_poly) -> FloatPolynomial:
     """The polynomial in doubles; ``error`` is infinite where doubles do not hold it.
 
-    error = sum over k of (gamma_(3k+1) |A_k| + |a_k - A_k|) REACH^k, and 2^-880 for what underflows, rounded up.
+    error = sum over k of (gamma_(3k+1) |A_k| + |a_k - A_k|) REACH^k, and 2^-880 for what underflows, rounded up;
+    constant + REACH slope is the same sum.
     """
     with working_bits(53):
         rounded = [+value for value in polynomial.coeffs()]
     middles = [float(value) for value in rounded]  # exact: 53 bits
     radii = [float(value.rad()) for value in rounded]
-    coefficients, error, reach = [], UNDERFLOW, 1.0
+    coefficients, error, parts = [], UNDERFLOW, [UNDERFLOW, 0.0]
+    reach = below = 1.0  # REACH^k, and REACH^(k - 1)
     for k, (middle, radius) in enumerate(zip(middles, radii, strict=True)):
         kept = middle if abs(middle) > SMALLEST else 0.0
         coefficients.append(kept)
         lost = radius + (SMALLEST if kept == 0.0 and middle else 0.0)
         gamma = (3 * k + 1) * UNIT * ROUNDED_UP
-        error += (gamma * abs(kept) + lost) * reach
-        reach *= REACH_OF_DOUBLES
-    if not math.isfinite(error):
-        return FloatPolynomial((0.0,), math.inf)
-    return FloatPolynomial(tuple(coefficients), error * ROUNDED_UP)
+        own = gamma * abs(kept) + lost
+        error += own * reach
+        parts[min(k, 1)] += own * below
+        reach, below = reach * REACH_OF_DOUBLES, reach
+    if not error <= _LARGEST_ERROR:
+        return FloatPolynomial((0.0,), math.inf, math.inf, math.inf)
+    constant, slope = (part * ROUNDED_UP for part in parts)
+    return FloatPolynomial(tuple(coefficients), error * ROUNDED_UP, constant, slope)
 
 
 @lru_cache(maxsize=1)
@@ -103,6 +114,12 @@ def horner(
             total += row.take(index, out=taken, mode="clip")
         np.abs(s, out=s)
     return sizes
+
+
+def near_bounds(sizes: FloatArray, constants: FloatArray, slopes: FloatArray) -> FloatArray:
+    """Bounds on the errors of :func:`horner` that become smaller with |s|, by statement F5."""
+    bounds: FloatArray = (constants + (sizes + SMALLEST) * slopes) * ROUNDED_UP
+    return bounds
 
 
 def accepted(sizes: FloatArray) -> np.ndarray[Any, np.dtype[np.bool_]]:

@@ -70,8 +70,15 @@ def panel(beta: fmpq, derivative: int, cell: int, number: int, count: int, goal:
             values = (values[0] * factor, values[1] * factor, values[2] * factor)
     else:
         # One value that costs serves the whole unit interval.
-        values = panel(beta, derivative, cell, 0, 1, goal + _LOST_IN_A_CELL).values_at(centre)
+        return panel_around(beta, derivative, cell, centre, half_width, goal)
     return local_series(values, centre, half_width, shifted, _length(centre, half_width, shifted, goal), bits)
+
+
+def panel_around(beta: fmpq, derivative: int, cell: int, centre: fmpq, half_width: fmpq, goal: int) -> LocalSeries:
+    """The series around any centre in [cell, cell + 1]; not finite where it lies outside."""
+    values = panel(beta, derivative, cell, 0, 1, goal + _LOST_IN_A_CELL).values_at(centre)
+    shifted = beta - derivative
+    return local_series(values, centre, half_width, shifted, _length(centre, half_width, shifted, goal), goal + _GUARD)
 
 
 def _values(centre: fmpq, beta: fmpq, bits: int) -> tuple[arb, arb, arb]:

@@ -14,6 +14,7 @@ from flint import arb, arb_poly
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from gspot_verified import theta_of_floats
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.theta_function.arrays import float_horner
 from gspot_verified.theta_function.arrays.float_horner import accepted, arithmetic_is_ieee, float_polynomial, horner
@@ -80,6 +81,13 @@ def test_what_doubles_do_not_hold_has_no_bound(coefficient: arb) -> None:
     assert math.isinf(float_polynomial(arb_poly([coefficient, arb(1)])).error)
 
 
+@pytest.mark.parametrize("size", [2.0**1023, 2.0**960])
+def test_a_sum_that_may_overflow_has_no_bound(size: float) -> None:
+    """The coefficients are doubles, and so is the bound of what they are wrong by; their sum is none."""
+    assert math.isinf(float_polynomial(arb_poly([arb(size), arb(size)])).error)
+    assert float_polynomial(arb_poly([arb(2.0**940)])).error < 2.0**900
+
+
 def test_a_point_beyond_the_panel_is_not_accepted() -> None:
     index, one = np.zeros(3, dtype=np.intp), np.array([1.0])
     points = np.array([1.0 + 2.0**-11, 1.0 + 2.0**-10, -1.5])
@@ -101,3 +109,11 @@ def test_arithmetic_that_rounds_otherwise_is_noticed(monkeypatch: pytest.MonkeyP
     monkeypatch.undo()
     arithmetic_is_ieee.cache_clear()
     assert arithmetic_is_ieee()
+
+
+def test_where_theta_overflows_a_double_the_radius_is_infinite() -> None:
+    """A double that overflowed in Horner's rule had a finite radius."""
+    found = theta_of_floats(np.linspace(62, 63.9, 700), "199/2", derivative=106)
+    for _ in range(2):
+        assert np.isinf(found.radius[np.logical_not(np.isfinite(found.midpoint))]).all()
+        found = theta_of_floats(np.linspace(55, 63.9, 3_000), "199/2", derivative=106)
