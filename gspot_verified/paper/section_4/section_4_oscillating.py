@@ -7,7 +7,10 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
+from gspot_verified.paper.appendix_a.hypergeometric import SERIES
+from gspot_verified.paper.checks.closed_forms import ALGEBRA as FORMS
 from gspot_verified.paper.checks.entry import Builders, Entry, Section
+from gspot_verified.paper.checks.formulas import closed_form
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.section_4.section_4_inner import PRINTED as INNER
@@ -23,6 +26,15 @@ AIRY = {"solution": "tau*F0*G0 - 4*c^2*F1*G1", "beta": "1/2", "4 c^3": "1"}
 """A solution, its β and its constant."""
 LEADING = {("F0", "G0"): "-sine*cosine", ("F1", "G1"): "u^2*sine*cosine"}
 """π X^(1/2) Ai Bi and π X^(1/2) Ai' Bi' up to O(1/ζ) relative to u² = X = -c τ (DLMF 9.7.9 to 9.7.12)."""
+
+
+def powers_of_the_series() -> bool:
+    """Whether these are the powers of -τ in the first terms of h and of e_r + i e_i, as the paper prints them."""
+    first = {"k": FORMS.constant(0)}
+    return all(
+        bool(FORMS.substitute(closed_form(SERIES[name]).exponent("x"), first) == FORMS.read(POWERS[power]))
+        for name, power in (("h", "power series"), ("e", "oscillating"))
+    )
 
 
 def smaller_than_the_power() -> bool:
@@ -74,7 +86,7 @@ def _behaves_like() -> Entry:
         "line 1219",
         r"\text{there is a unique solution } \Theta(\tau,\beta) \text{ that behaves like } (-\tau)^\beta",
         "Θ is the only solution with θ ~ (-τ)^β as τ → −∞",
-        Page(_PAGE, (smaller_than_the_power,)).refutation(
+        Page(_PAGE, (powers_of_the_series, smaller_than_the_power)).refutation(
             "section 1, first proof: oscillating solutions are O((-τ)^(-β/2-3/4)), a smaller power", finding
         ),
         Page(_PAGE, (airy_solves, airy_leading_term_cancels)).refutation(

@@ -18,9 +18,10 @@ from gspot_verified.paper.appendix_a import hypergeometric as appendix
 from gspot_verified.paper.appendix_a.theta_pages import IWC, SIGNS_INTEGRAL, SIGNS_RIGHT
 from gspot_verified.paper.checks.closed_forms import ClosedForm, rational
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of, same_sign
-from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, mended, put
+from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, evaluate_text, mended, put, quotient
 from gspot_verified.paper.checks.gamma_cells import induction
 from gspot_verified.paper.checks.identities import in_greek
+from gspot_verified.paper.section_4.section_4_inner import PRINTED as INNER
 from gspot_verified.paper.section_4.section_4_matching import PRINTED as MATCHING
 from gspot_verified.paper.section_4_5 import growth, lift_off
 from gspot_verified.paper.section_4_5.section_4_5 import CORRECTED as CORRECTED_FORCE
@@ -102,6 +103,20 @@ def _iwc() -> Entry:
     )
 
 
+def is_the_derivative() -> bool | None:
+    """Whether each corrected form is -β times that of Θ at β - 1, for a symbol β: dΘ/dτ is -β Θ(τ, β - 1)."""
+    of_theta = {
+        "at 0": appendix.ENTIRE_INITIAL_VALUES["t01"],
+        "far left": appendix.THETA["small leading"],
+        "far right": appendix.THETA["large leading"],
+    }
+    corrected = CORRECTED["S-wording"]
+    return all(
+        quotient(closed_form(corrected[name]), closed_form(f"-beta*({put(text, beta='beta-1')})")).is_one()
+        for name, text in of_theta.items()
+    )
+
+
 def _theta_wording() -> Entry:
     places, beta = (-20, 0), fmpq(3, 10)
     values = [evaluate(tau, beta).value for tau in places]
@@ -111,17 +126,18 @@ def _theta_wording() -> Entry:
         return [rational(-1) * form for form in forms.values()]
 
     vanishing = closed_form(put(CORRECTED["S-wording"]["far left"], **HYPOTHESES["S-wording"])).exponent("x")
+    by_forms = _claim("S-wording").check_sign(
+        "the entire form of Θ(0) and the leading forms (-τ)^β and eq. tlarge, for every β in (0, 1); "
+        "the same for dΘ/dτ = -β Θ(τ, β - 1), with a negative power of -τ as τ → −∞",
+        lambda forms: [*all_negative(forms), rational(-vanishing)],
+        finding="Θ(0) > 0 and (-τ)^β > 0 for every β in (0, 1); dΘ/dτ is negative at all three places",
+    )
     return SECTION.settled(
         "S-wording",
         "line 1287",
         r"\Theta \text{ is very negative for large } |\tau| \text{ and for } \tau=0",
         "For 0 < β < 1, Θ is negative for large |τ| and for τ = 0",
-        _claim("S-wording").check_sign(
-            "the entire form of Θ(0) and the leading forms (-τ)^β and eq. tlarge, for every β in (0, 1); "
-            "the same for dΘ/dτ, with a negative power of -τ as τ → −∞",
-            lambda forms: [*all_negative(forms), rational(-vanishing)],
-            finding="Θ(0) > 0 and (-τ)^β > 0 for every β in (0, 1); dΘ/dτ is negative at all three places",
-        ),
+        by_forms if is_the_derivative() else replace(by_forms, agrees=None),
         Rung.BALLS.check(
             "Θ(-20, 3/10) and Θ(0, 3/10)",
             mended(_negative(values), _negative(slopes)),
@@ -137,12 +153,13 @@ def _negative(values: Sequence[arb]) -> bool | None:
 
 
 def _force_far_right(identifier: str, side: ClosedForm) -> list[ClosedForm]:
-    """λ_N as τ → +∞: the deviation over the side, its growth, and the mean force, under the hypotheses."""
+    """λ_N as τ → +∞: the deviation over the side, its growth, the mean force, and κ³, under the hypotheses."""
     images = HYPOTHESES[identifier]
     slope = f"-beta*({put(appendix.THETA['large leading'], beta='beta-1')})"
     deviation = closed_form(put(put(FORCE["S-deviation-force"]["force"], slope=slope), **images))
     mean = closed_form(put(CORRECTED_FORCE["S-mean-force"]["force"], **images))
-    return [deviation / side, rational(deviation.exponent("e")), mean]
+    cube = closed_form(put(INNER["4-theta"]["kappa cubed"], **images))
+    return [deviation / side, rational(deviation.exponent("e")), mean, cube]
 
 
 def _lift_off_side() -> Entry:
@@ -172,7 +189,7 @@ def _lift_off_side() -> Entry:
         SIGNS_RIGHT.carries(
             _claim("S-side").check_sign(
                 "τ → +∞: S-deviation-force with the leading form of dΘ/dτ over C_1/Γ(-β) is positive and grows without "
-                "bound; the corrected mean force is positive (Case III, symbols α_1, α_2, β)",
+                "bound; the corrected mean force and κ are positive (Case III, symbols α_1, α_2, β)",
                 lambda forms: _force_far_right("S-side", forms["side"]),
             )
         ),
@@ -204,7 +221,7 @@ def _other_side() -> Entry:
         IWC.carries(
             _claim("S-iwc-case-III").check_sign(
                 "C_1 dΘ/dτ is bounded below on [τ_0, ∞), since it tends to infinity with the sign of "
-                "C_1/Γ(-β); the mean force and the exponent of ε are positive (Case III, symbols α_1, α_2, β)",
+                "C_1/Γ(-β); the mean force, κ and the exponent of ε are positive (Case III, symbols α_1, α_2, β)",
                 lambda forms: [*_force_far_right("S-iwc-case-III", forms["side"]), power],
             )
         ),

@@ -38,6 +38,11 @@ def test_a_case_has_the_same_signs_and_order_wherever_it_is_written(case: str, i
     assert section_1_outcomes.ordered(here) == section_1_outcomes.ordered(ledger.CASES[case]) is not None
 
 
+def test_beta_of_case_iii_is_the_ratio_of_its_rates() -> None:
+    case = {name: read(text) for name, text in cases.CASE_III.items() if name in ("beta", "alpha1", "alpha3")}
+    assert case["beta"] * case["alpha1"] == case["alpha3"]
+
+
 @pytest.mark.parametrize("name", ledger.CASES)
 def test_every_step_holds_in_every_case(name: str) -> None:
     assert [step(name) for step in STEPS] == [True, True, True]

@@ -32,6 +32,7 @@ TEETH: Teeth = {
     "S-wording": (
         # The printed words with dΘ/dτ in place of Θ; a factor near 1 keeps the signs.
         Bite("factor", _PRINTED, "S-wording", lambda _: dict(_WORDING)),
+        *(Bite("factor", _WORDING, name, scaled) for name in _WORDING),
         *(Bite("hidden factor", _WORDING, name, one_at_a_half) for name in _WORDING),
         Bite("hypothesis", ledger.HYPOTHESES["S-wording"], "beta", lambda _: "u"),
         Bite("order", _WORDING, "far left", raised("x")),
@@ -41,6 +42,7 @@ TEETH: Teeth = {
         Bite("hidden factor", _PRINTED["S-side"], "side", unseen_at("beta", ("3/2", "5/2", "7/2"))),
         Bite("hypothesis", ledger.HYPOTHESES["S-side"], "alpha3", replaced("(1+u)", "u")),
         Bite("hypothesis", ledger.HYPOTHESES["S-side"], "alpha2", lambda _: "x-1"),
+        Bite("hypothesis", ledger.HYPOTHESES["S-side"], "alpha1", lambda _: "w"),
         Bite("order", _PRINTED["S-side"], "side", raised("C_1")),
     ),
     "S-iwc-case-III": (
@@ -48,6 +50,7 @@ TEETH: Teeth = {
         Bite("hidden factor", _PRINTED["S-iwc-case-III"], "side", unseen_at("beta", ("3/2", "7/3", "7/2"))),
         Bite("hypothesis", ledger.HYPOTHESES["S-iwc-case-III"], "alpha3", replaced("(1+u)", "u")),
         Bite("hypothesis", ledger.HYPOTHESES["S-iwc-case-III"], "beta", replaced("1+u", "u")),
+        Bite("hypothesis", ledger.HYPOTHESES["S-iwc-case-III"], "alpha1", lambda _: "w"),
         Bite("order", _PRINTED["S-iwc-case-III"], "side", raised("C_1")),
     ),
     "S-growth": (

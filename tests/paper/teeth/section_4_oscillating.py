@@ -14,6 +14,8 @@ TEETH: Teeth = {
         Bite("factor", ledger.AIRY, "4 c^3", scaled),
         Bite("factor", ledger.AIRY, "solution", replaced("4*c^2", "4000001/1000000*c^2")),
         Bite("factor", ledger.AIRY, "beta", scaled),
+        *(Bite("factor", ledger.POWERS, name, scaled) for name in ledger.POWERS),
+        Bite("factor", ledger.SERIES, "e", replaced("x^(-beta/2-3/4)", "x^(-beta/3-3/4)")),
         *(Bite("factor", ledger.LEADING, name, scaled) for name in ledger.LEADING),  # type: ignore[arg-type]
         Bite("hidden factor", ledger.AIRY, "solution", unseen_at("tau", range(-3, 4))),
         Bite("hidden factor", ledger.AIRY, "beta", unseen_at("tau", range(-3, 4))),
