@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from paper.typed.row import CONSTANTS, Names, Row, difference, of_side
 
-from gspot_verified.paper.section_1 import section_1_rigid, section_1_sentences
+from gspot_verified.paper.section_1 import section_1_negative_p, section_1_rigid, section_1_sentences
 from gspot_verified.paper.section_2 import general_system, section_2_contact, section_2_sentences
+from gspot_verified.paper.section_3 import section_3_captions
 from gspot_verified.paper.section_4 import section_4_inner, section_4_unique
 from gspot_verified.paper.section_5 import section_5_recursion
 from gspot_verified.paper.section_6 import section_6_sentences
@@ -92,6 +93,17 @@ def _contact() -> list[Row]:
     ]
 
 
+def _model_again() -> list[Row]:
+    """The motivating example and the acceleration in slip where other files hold them."""
+    names = CONSTANTS | {r"\lambda_N": "(lam/epsilon^2)"}
+    found = []
+    for k, (name, rate) in enumerate(section_3_captions.EQUATIONS.values()):
+        read = names if name == "z" else CONSTANTS
+        found.append(Row("3-after-contact", name, {name: rate}, 592 + k, 592 + k, 0, of_side(1), read))
+    slip = {"dv/dt": section_1_negative_p.ACCELERATION}
+    return [*found, Row("1-negative-p", "dv/dt", slip, 495, 496, 0, of_side(1), CONSTANTS | {r"\lambda_N": "l"})]
+
+
 def _two_forces() -> list[Row]:
     names = CONSTANTS | {"k^+": "kplus", "k^-": "kminus", r"\lambda^+": "lp", r"\lambda^-": "lm"}
     shares, extended = section_2_sentences.SHARES, section_2_sentences.EXTENDED
@@ -155,5 +167,6 @@ def _oscillator() -> list[Row]:
 
 
 ROWS = [
-    *_projected(), *_defined(), *_contact(), *_two_forces(), *_inner_scale(), *_general(), *_oscillator(),
+    *_projected(), *_defined(), *_contact(), *_model_again(),
+    *_two_forces(), *_inner_scale(), *_general(), *_oscillator(),
 ]  # fmt: skip
