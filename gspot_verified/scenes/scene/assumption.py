@@ -8,7 +8,7 @@ from typing import ClassVar, NamedTuple
 
 from flint import arb, fmpq
 
-from gspot_verified.numbers.balls import hull, working_bits
+from gspot_verified.numbers.balls import ball_text, hull, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
@@ -59,7 +59,7 @@ class Assumption(NoTruthValue, Written):
         if self.lower == self.upper:
             return f"t = {self.lower}"
         with working_bits(_SHOWN_BITS):
-            return f"t = {hull([arb(self.lower), arb(self.upper)]).str(_SHOWN_DIGITS)}"
+            return f"t = {ball_text(hull([arb(self.lower), arb(self.upper)]), _SHOWN_DIGITS)}"
 
     def __str__(self) -> str:
         said = {

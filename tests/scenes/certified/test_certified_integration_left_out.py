@@ -550,3 +550,9 @@ def test_a_condition_that_is_left_in_a_third_derivative_is_seen_at_the_event_tha
     assert run.fate == REFUTED
     assert standing(run)["stick"] == VIOLATED
     assert fmpq(597, 100000) <= bracket(run, "stick")[1] <= fmpq(598, 100000)
+
+
+def test_a_wide_bracket_of_a_failure_is_written_by_its_ends() -> None:
+    """As a middle and a radius it reached below 0, where nothing moves yet."""
+    found = Assumption("stick", "u > 0", VIOLATED, fmpq(83, 320), fmpq(3, 4))
+    assert found.when == "t = [0.259, 0.751]"
