@@ -231,27 +231,34 @@ def _prepared(start: AffineStart) -> Iterator[_Prepared]:
 def _followed(
     start: AffineStart, prepared: list[_Prepared], equations: DeviationEquations, factor: fmpq, ways: list[_Passed]
 ) -> SideEnd | str:
-    """From p_1 to the end, for all delta of the equations, or what the last plan failed by; ``ways`` gets where p, b,
-    y, v are on it."""
-    failed = list[str]()
+    """From p_1 to the end, for all delta of the equations, or what a plan failed by that came farthest; ``ways`` gets
+    where p, b, y, v are on it."""
+    by_tube, by_hand_over, by_end = list[str](), list[str](), list[str]()
     for one in prepared:
         passed = _tube(start, one, largest_e(start.manifold.system.a, equations.exact_delta))
         if isinstance(passed, str):
-            failed.append(f"Theorem B': {passed}")
+            by_tube.append(passed)
             continue
         handed = affine_hand_over(equations, one.start, passed, one.plan.place)
         if isinstance(handed, str):
-            failed.append(handed)
+            by_hand_over.append(handed)
             continue
         ended = _ended(start, equations, factor, handed, one.plan.place)
         if isinstance(ended, str):
-            failed.append(ended)
+            by_end.append(ended)
             continue
         whole = every([passed.evidence, ended.evidence])
         if whole is not None:
             ways.append(_Passed(passed.cone, _later(ended, one.plan.place, start.manifold.mu)))
             return replace(ended, evidence=whole)
-    return failed[-1] if failed else "no norm was tried"
+    farthest = by_end or by_hand_over
+    return farthest[0] if farthest else f"Theorem B': {nearest(by_tube)}"
+
+
+def nearest(failed: Sequence[str]) -> str:
+    """Of messages of :func:`affine_tube` the first of those that name the fewest inequalities."""
+    named = [text for text in failed if text.startswith("not certain: ")] or [*failed, "no norm and no z_max was tried"]
+    return sorted(named, key=lambda text: text.count("; "))[0]
 
 
 def _later(end: SideEnd, place: fmpq, mu: Exact) -> arb:
@@ -260,20 +267,22 @@ def _later(end: SideEnd, place: fmpq, mu: Exact) -> arb:
 
 
 def _tube(start: AffineStart, one: _Prepared, e: fmpq) -> AffineTube | str:
-    """The first nu and z_max that serve; what failed for a smaller e is not tried again."""
-    found: AffineTube | str = "no z_max was tried"
+    """The first nu and z_max that serve, or what the nearest failed by; what failed for a smaller e is not tried
+    again."""
+    missed = list[str]()
     known: dict[fmpq, Sums] = {}
     likely = [largest for largest in LARGEST if largest > 3 * start.within]
     for ratio, largest in product(_RATIOS, likely):
         failed = one.failed.get((ratio, largest))
         if failed is not None and failed[0] <= e:
-            found = failed[1]
+            missed.append(failed[1])
             continue
         found = affine_tube(one.start, one.norm, one.growth, one.rectangle, e, largest, ratio=ratio, known=known)
         if isinstance(found, AffineTube):
             return found
         one.failed[ratio, largest] = e, found
-    return found
+        missed.append(found)
+    return nearest(missed)
 
 
 def _ended(

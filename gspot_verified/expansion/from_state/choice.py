@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from flint import fmpq
 
+from gspot_verified.expansion.chart.cone import rational_of
 from gspot_verified.expansion.from_state.slow_series import Contact
 from gspot_verified.expansion.true_solutions.side import REACH
 from gspot_verified.numbers.balls import Exact, approximate
@@ -66,8 +67,11 @@ def affine_plans(beta: fmpq, a: Exact, contact: Contact) -> Iterator[list[Plan]]
 
 
 def near(value: Exact) -> fmpq:
-    """A rational number near it."""
-    return value if isinstance(value, fmpq) else fmpq(round(approximate(value) * _NEAR), _NEAR)
+    """A rational number near it; no integer, unless the middle of the ball is one."""
+    if isinstance(value, fmpq):
+        return value
+    rounded = fmpq(round(approximate(value) * _NEAR), _NEAR)
+    return rounded if rounded.q != 1 else rational_of(value.mid())
 
 
 def largest_delta(p: Exact, a: Exact) -> fmpq:

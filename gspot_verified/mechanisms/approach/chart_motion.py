@@ -36,6 +36,7 @@ from gspot_verified.numbers.inner_text import in_inner_interval
 from gspot_verified.numbers.verdict import Reason, Verdict
 
 _ORDER = 4  # of what a Taylor polynomial of an alpha leaves: any from 2 on is right
+_COMPONENTS = 4  # p, b, y, v are coordinates of so many
 _BITS = 256  # of a G-spot that is not rational
 _HELD = "; the mass matrix is positive definite and mu >= 0 all the way"
 _ROOM, _ROOM_OF_FORCE = arb((1, -11)), arb((1, -14))  # of p and -b/p, in parts of those of the path: any are right
@@ -43,10 +44,14 @@ _ROOM, _ROOM_OF_FORCE = arb((1, -11)), arb((1, -14))  # of p and -b/p, in parts 
 
 def with_chart(found: MechanismSide, mechanism: Mechanism, spot: int | None = None) -> MechanismSide:
     """The same with ``explicit`` for the starts around a state of rigid slip near the G-spot, on the way that
-    :func:`mechanism_side` followed, where the contact depends on four components alone."""
+    :func:`mechanism_side` followed, where the contact depends on four components alone; or with the reason why not."""
     known = found.explicit is not None and found.explicit.side is not None
-    if found.side is None or known or len(found.active) != 4:
+    if found.side is None or known:
         return found
+    if len(found.active) != _COMPONENTS:
+        return replace(
+            found, not_explicit=f"the contact depends on {len(found.active)} components: {', '.join(found.active)}"
+        )
     active, path = [mechanism.state.index(word) for word in found.active], found.approach.path
     try:
         place = find_g_spot(at_spot(mechanism, spot), _BITS)
@@ -57,8 +62,8 @@ def with_chart(found: MechanismSide, mechanism: Mechanism, spot: int | None = No
             force = add_remainder(path.force[number], path.force[number] * _ROOM_OF_FORCE)
             system = _charted(chart)
         explicit = affine_side(system, p, -force * p, quotient=force)
-    except (ValueError, ZeroDivisionError):  # beside the theorem: nothing is said
-        return found
+    except (ValueError, ZeroDivisionError) as error:  # beside the theorem
+        return replace(found, not_explicit=str(error))
     with working_bits(place.bits):
         at = _At(path.p[number], path.b[number], path.force[number], path.states[number])
         explicit = _checked(place.shifted, explicit, active, at)

@@ -62,10 +62,10 @@ class MechanismSide(NoTruthValue, Written):
     ``approach`` is what was proved for rigid slip, ``active`` names the components on which the contact depends.
     ``explicit``, where it was asked for: an epsilon_0 for a set of starts. Where p, b, y, v are no components it is
     a set around a state of rigid slip near the G-spot, which slip reaches at the time ``reached``; then ``own`` is
-    about the starts around the state itself.
+    about the starts around the state itself. ``not_explicit``: why there is none, where a chart was asked for.
     """
 
-    written: ClassVar[str] = "side active verdict explicit reached own " + under(
+    written: ClassVar[str] = "side active verdict explicit not_explicit reached own " + under(
         "approach",
         "name start solved end place case alphas beta C1=coefficient surface_velocity least_slip notes warnings bits",
     )
@@ -77,6 +77,7 @@ class MechanismSide(NoTruthValue, Written):
     explicit: AffineSide | None = None
     reached: str | None = None
     own: OwnSide | None = None
+    not_explicit: str | None = None
 
     def __str__(self) -> str:
         found = self.approach
@@ -91,6 +92,8 @@ class MechanismSide(NoTruthValue, Written):
             lines.append("  rests on proofs/papers_rule.md, Theorem R; epsilon_0 is not computed")
         if self.explicit is not None:
             lines.append(f"  for an explicit epsilon_0 (proofs/from_state.md, section 8): {self.explicit}")
+        if self.not_explicit is not None:
+            lines.append(f"  no explicit epsilon_0 (proofs/chart.md): {self.not_explicit}")
         if self.reached is not None:
             comes = f"  rigid slip from the state is at one of these starts after t = {self.reached}"
             beside = "; that the compliant motion from the state comes there too is not part of it"

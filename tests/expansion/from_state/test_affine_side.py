@@ -313,12 +313,18 @@ def test_each_ratio_and_z_max_is_tried_until_one_does(monkeypatch: pytest.Monkey
     assert module._tube(start, one, fmpq(1, 8)) is passed
     assert [words[5:] for words in tried] == wanted
     assert set(one.failed.values()) == {(fmpq(1, 8), f"not {value}") for value in likely}
-    monkeypatch.setattr(module, "affine_tube", lambda *words, **_: f"not {words[5]}")
-    assert module._tube(start, one, fmpq(1, 7)) == f"not {LARGEST[-1]}"
+    text = {fmpq(1, 10): "not certain: a; b", fmpq(1, 5): "not certain: c", fmpq(1, 3): "not certain: d"}
+    monkeypatch.setattr(module, "affine_tube", lambda *words, **_: text.get(words[5], "slow"))
+    one.failed.clear()
+    for _ in range(2):  # the second time all is known
+        assert module._tube(start, one, fmpq(1, 7)) == "not certain: c"
+    assert module.nearest(["x", "y; z"]) == "x"
+    assert module.nearest(["x", "not certain: y; z"]) == "not certain: y; z"
+    assert module.nearest([]) == "no norm and no z_max was tried"
 
 
 def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By its tube, its hand-over, its end; what the last one failed by is said. e = a delta^3."""
+    """By its tube, its hand-over, its end; what the one failed by that came farthest is said. e = a delta^3."""
     system = AffineSystem(Affine(fmpq(-2)), Affine(fmpq(-1)), Affine(fmpq(-3)), PAPER)
     start = AffineStart(manifold_of(system), P, fmpq(-1), fmpq(0))
     equations = SimpleNamespace(exact_delta=fmpq(1, 10))
@@ -354,8 +360,9 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
     assert followed(1) == "Theorem B': z"
     assert followed(1, 2) == "handed"
     assert followed(2, 3) == "ended"
-    assert followed(3, 2, 1) == "Theorem B': z"
-    assert followed() == "no norm was tried"
+    assert followed(3, 2, 1) == "ended"
+    assert followed(2, 1) == "handed"
+    assert followed() == "Theorem B': no norm and no z_max was tried"
     ((cone, later),) = ways
     assert cone == "cone"
     # delta^2 (S + s_1 + log(ratio/delta^mu)/a) at delta = 1: S = 4, mu = 1, ratio = 2, a = 1

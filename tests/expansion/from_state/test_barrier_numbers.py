@@ -21,6 +21,7 @@ from gspot_verified.expansion.from_state.barrier import (
     paid,
     source,
     start_bound,
+    times,
     tube,
 )
 from gspot_verified.expansion.from_state.fast_growth import Growth, Norm, Rectangle
@@ -292,6 +293,14 @@ def test_what_is_paid_at_the_edges() -> None:
     assert paid({(1, 4): arb(1)}, arb("3.5"), damping) == {(2, 3): arb(4), (3, 2): arb(32)}
     assert paid({(1, 4): arb(1), (2, 3): arb(1)}, arb("3.5"), damping) == {(2, 3): arb(4), (3, 2): arb(36)}
     assert paid({(3, 2): arb(1), (2, 3): arb(1)}, arb("1.5"), damping) == {(3, 2): arb("4.5")}
+
+
+def test_the_product_of_two_sums() -> None:
+    """(2 h + 3 h^2 r)(5 r^2 + 7 h r): like monomials are added."""
+    first, second = {(1, 0): arb(2), (2, 1): arb(3)}, {(0, 2): arb(5), (1, 1): arb(7)}
+    assert times(first, second) == {(1, 2): arb(10), (2, 1): arb(14), (2, 3): arb(15), (3, 2): arb(21)}
+    twice = times({(0, 1): arb(2), (1, 0): arb(3)}, {(0, 1): arb(5), (1, 0): arb(7)})
+    assert twice == {(0, 2): arb(10), (1, 1): arb(29), (2, 0): arb(21)}
 
 
 def coarse_and_fine(bound: Callable[[], arb | Mapping[Any, arb]]) -> list[tuple[arb, arb]]:

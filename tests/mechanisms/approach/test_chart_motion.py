@@ -223,7 +223,9 @@ def test_what_has_no_side_or_an_epsilon_already_is_left_alone() -> None:
     without = replace(found, side=None)
     assert with_chart(without, load("oscillator")) is without
     five = replace(found, active=(*found.active, "more"))
-    assert with_chart(five, load("oscillator")) is five
+    why = "the contact depends on 5 components: phi, psi, phi_dot, psi_dot, more"
+    assert with_chart(five, load("oscillator")) == replace(five, not_explicit=why)
+    assert f"  no explicit epsilon_0 (proofs/chart.md): {why}" in str(with_chart(five, load("oscillator")))
     known = replace(found, explicit=near_side(STATES)[0])
     assert with_chart(known, load("oscillator")) is known
 
@@ -262,13 +264,13 @@ def test_the_start_is_a_state_of_the_path(monkeypatch: pytest.MonkeyPatch) -> No
     assert system.beta == fmpq(7, 3)
 
 
-def test_what_is_beside_the_theorem_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_beside_the_theorem_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuses(*_: Any, **__: Any) -> AffineSide:
         raise ValueError("beta must be above 1")
 
     monkeypatch.setattr(module, "affine_side", refuses)
     found = rigid("-9/10")
-    assert with_chart(found, load("oscillator")) is found
+    assert with_chart(found, load("oscillator")) == replace(found, not_explicit="beta must be above 1")
 
 
 @pytest.mark.slow

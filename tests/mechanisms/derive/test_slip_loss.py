@@ -26,12 +26,12 @@ def model() -> SlipLoss:
 
 
 @cache
-def driven(free: str, alpha_2: str, alpha_3: str) -> SlipLoss:
-    """u' = free - lambda, b' = alpha_2 - alpha_3 lambda."""
+def driven(free: str, alpha_2: str, alpha_3: str, grip: int = 1) -> SlipLoss:
+    """u' = free - grip lambda, b' = alpha_2 - alpha_3 lambda."""
     names = ["x", "u", "y", "v", "p", "b"]
     return SlipLoss(shift(from_fields(
         "driven", names, ["u", free, "v", "b", -1, alpha_2],
-        [0, "3/(2*(1 - p))", 0, "1/2", 0, f"({alpha_3})/(2*(1 - p))"],
+        [0, f"{2 * grip + 1}/(2*(1 - p))", 0, "1/2", 0, f"({alpha_3})/(2*(1 - p))"],
         [0, "1/2", 0, "(1 + p)/2", 0, f"-({alpha_3})/2"], "x", "y", "1 - p",
     )))  # fmt: skip
 
@@ -90,6 +90,12 @@ def test_each_part_counts() -> None:
             lost = driven(*words).largest([box(arb(0, "0.5"))], arb(2))
             assert lost is not None
             assert wanted <= lost < wanted + arb("1e-6"), words
+        strong = driven("-1", "-1", "-2", 3).largest([box(arb(0, "0.5"))], arb(2))
+        assert strong is not None
+        assert 6.5 <= strong < 6.5 + arb("1e-6")
+        rounded = driven("-1", "0", "-1").largest([box(arb(0))], arb(1) / 3)
+        assert rounded is not None
+        assert 1 <= 3 * rounded < 1 + arb("1e-6")
         wide = driven("u/2", "b", "-1-u").largest([box(arb(0, 1), arb(1, "0.5")), box(arb(0, 1), arb(0))], arb(2))
         assert wide is not None
         assert 4 <= wide < 4 + arb("1e-6")  # b: 2, T sup(-alpha_2) = 2, inf |alpha_3| = 1, f >= 0
