@@ -285,7 +285,7 @@ def _tangential() -> Entry:
     normal = [*(enters(name, NORMAL) for name in TANGENTIAL), enters("x", NORMAL + TANGENTIAL)]
     return SECTION.settled(
         "2-tangential",
-        "eqs. xdot and udot, lines 612 to 617 and 929 to 931",
+        "lines 612 to 617, 621 to 623 and 929 to 931, eq. udot",
         r"x\ \text{is a cyclic coordinate; no transition to stick without }u",
         "x enters no equation of the extended example; in slip the equations for p, b, y, v, z, which for χ = 0 and "
         "positive slip are those of the motivating example, have no u either: they say nothing of a stop",
