@@ -49,18 +49,30 @@ def write_classified_table(run: TableRun, journal: Path | None) -> NoReturn:
     _write(run, journal, False, answers)
 
 
-def write_approach_table(run: TableRun, state: str | None, surface: str | None) -> NoReturn:
-    """Where slip from each row's state leads.
+def write_approach_table(
+    run: TableRun, state: str | None, surface: str | None, digits: int | None, rows: str | None
+) -> NoReturn:
+    """Where slip from each row's state leads; ``rows``: "A:B", a part of the table.
 
-    :raises ValueError: no output is named, or it cannot be written.
+    :raises ValueError: no output is named, or it cannot be written, or there is no such part.
     """
     from gspot_verified.cli.load import components
     from gspot_verified.mechanisms.table.approach_table import approach_table
 
     given = {} if state is None else components(state)
+    only = None if rows is None else _part(rows)
 
     def answers(mechanism: Mechanism, pool: Executor) -> Iterator[AnsweredRow]:
-        return approach_table(mechanism, run.table, given, surface_velocity=surface, executor=pool, progress=_show_each)
+        return approach_table(
+            mechanism,
+            run.table,
+            given,
+            surface_velocity=surface,
+            digits=digits,
+            only=only,
+            executor=pool,
+            progress=_show_each,
+        )
 
     _write(run, None, True, answers)
 
@@ -96,6 +108,14 @@ def _write(run: TableRun, journal: Path | None, with_state: bool, answers: Answe
     for what, count in sorted(counts.items()):
         typer.echo(f"  {counted(count, 'row')}: {what}")
     outputs.leave(0 if total == sum(count for what, count in counts.items() if what.startswith("settled")) else 2)
+
+
+def _part(text: str) -> tuple[int, int | None]:
+    first, colon, last = text.partition(":")
+    words = [word for word in (first, last) if word]
+    if not (colon and words and all(word.isascii() and word.isdigit() and len(word) < 19 for word in words)):
+        raise ValueError(f"--rows: expected A:B, A: or :B, numbers of rows from 1 on, got {text!r}")
+    return int(first or 1), int(last) if last else None
 
 
 def _lines(rows: Iterable[AnsweredRow], counts: dict[str, int]) -> Iterator[str]:

@@ -141,6 +141,17 @@ def test_slip_from_each_row(capsys: pytest.CaptureFixture[str], tmp_path: Path) 
     ):
         assert main([*words, *more]) == 64
         assert message in capsys.readouterr().err
+    three = table(tmp_path, "b,p\n-2,1/2\n-3,1/2\n-4,1/2\n")
+    assert main([*words[:3], str(three), *words[4:], "--from", "x=0,u=9", "--rows", "2:", "--digits", "3"]) == 0
+    read = list(csv.DictReader(output.read_text(encoding="utf-8").splitlines()))
+    assert [row["b"] for row in read] == ["-3", "-4"]
+    assert all(int(row["C1_digits"]) >= 3 for row in read)
+    for part in ("2", "a:b", "-1:2", ":", "3:2", "0:1", "7:"):
+        assert main([*words, "--from", "x=0,u=3", "--rows", part]) == 64
+        assert "rows: " in capsys.readouterr().err
+    for more in (["--rows", "1:2"], ["--digits", "3"]):
+        assert main(["approach", "model", "--from", "x=0", *more]) == 64
+        assert f"{more[0]}: only with --table" in capsys.readouterr().err
     assert main(["approach", "model"]) == 64
     assert "give the state with --from, or states with --table" in capsys.readouterr().err
     assert main(["approach", "model", "--from", "x=0", "--workers", "2"]) == 64

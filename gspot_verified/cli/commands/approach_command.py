@@ -52,6 +52,12 @@ def approach(
         typer.Option(help="Follow slip for each row of a CSV file of parameters and components of the state."),
     ] = None,
     output: TableOutput = None,
+    digits: Annotated[
+        int | None, typer.Option(help="With --table: digits of C1, 1 to 15; else as many as its sign needs.")
+    ] = None,
+    rows: Annotated[
+        str | None, typer.Option(help="With --table: rows A:B of it only, to do a long table in parts.")
+    ] = None,
     workers: Workers = 1,
     scheduler: Scheduler = None,
     certificate: Annotated[
@@ -65,7 +71,9 @@ def approach(
     Exit code 0 when that is proved (and C1 has a certain sign), 2 when something is undecided.
 
     With --table slip is followed for each row of values, with those of --from in all rows, and the answers are the
-    lines of a CSV file; a row that is refused or undecided says why, and then the exit code is 2.
+    lines of a CSV file; a row that is refused or undecided says why, and then the exit code is 2. There is no journal:
+    a path that a file holds must be proved again, which takes as long; --rows does a long table in parts, each with an
+    --output of its own. By default the numbers have as few digits as the signs need; --digits asks for more of C1.
 
     --certificate is for mechanisms of sines, cosines and powers with x, as it is for `simulate`; the components of the
     state must be rational numbers, an angle its reference and one. The sign of C1 is in it where β < 2.
@@ -75,8 +83,11 @@ def approach(
             "not with --table, whose answers are the rows of --output",
             {"--spot": spot, "--json": as_json, "--certificate": certificate},
         )
-        write_approach_table(TableRun(name, settings, table, output, workers, scheduler), state, surface)
-    refuse("only with --table", {"--output": output, "--scheduler": scheduler, "--workers": workers != 1})
+        write_approach_table(TableRun(name, settings, table, output, workers, scheduler), state, surface, digits, rows)
+    refuse(
+        "only with --table",
+        {"--output": output, "--scheduler": scheduler, "--workers": workers != 1, "--digits": digits, "--rows": rows},
+    )
     if state is None:
         raise ValueError("give the state with --from, or states with --table")
     outputs = Outputs()

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import lru_cache
 from typing import Protocol
 
 from flint import arb
@@ -21,6 +22,7 @@ from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.verdict import Evidence
 
 _LEAST_DEPTH, _BITS_PER_HALVING = 26, 3  # halvings of a segment: at least so many, more with more bits
+_KEPT = 16  # watched functions whose programs are kept
 _MAX_PIECES = 2000  # of one segment, against endless work; then it is unclear
 
 
@@ -141,14 +143,10 @@ class Watch:
         if from_zero not in (0, 1, 2):
             raise ValueError(f"from_zero: expected 0, 1 or 2, got {from_zero}")
         self.name = name
-        derivatives = [function, lie_derivative(function, field.functions)]
-        self._program = BoxProgram(derivatives, field.dimension)
+        self._program, self._first = _programs(function, field, from_zero)
         self._stretch: list[_Piece] = []  # g rises on them all, and g < 0 at the begin of the first
         self._followed: Moment | None = None
         self._leaving = from_zero > 0
-        if from_zero == 2:
-            derivatives.append(lie_derivative(derivatives[1], field.functions))
-        self._first = BoxProgram(derivatives[-1:], field.dimension)
 
     def value(self, states: list[arb]) -> arb:
         """An enclosure of g."""
@@ -257,6 +255,16 @@ class Watch:
         value = self.value(piece.segment.states(tau)) * sign
         small = value.rad() * _SMALL_PART
         return value.lower() - small, small
+
+
+@lru_cache(_KEPT)
+def _programs(function: Expression, field: VectorField, from_zero: int) -> tuple[BoxProgram, BoxProgram]:
+    """g and its derivative; and the derivative by which g leaves 0. Both arguments are known by their identity."""
+    derivatives = [function, lie_derivative(function, field.functions)]
+    both = BoxProgram(derivatives, field.dimension)
+    if from_zero == 2:
+        derivatives.append(lie_derivative(derivatives[1], field.functions))
+    return both, BoxProgram(derivatives[-1:], field.dimension)
 
 
 def first_crossing(

@@ -33,6 +33,9 @@ _MOST_PIECES = 256  # of one slow step
 _SLOW_TRIES = 3  # lengths of a slow step; then a resolved one
 _DEPENDENCIES = (4.0, 16.0, 64.0)
 _WIDE = -24.0  # log2 of a radius from which on a set may be the reason why no step is proved
+_DEFECT_BITS = (
+    12.0  # above the last bit of a state, which a step's defect adds to a narrower set in any number of pieces
+)
 _GROWTH_BITS = 6.0  # that a tube may be wider than the set before it; else shorter pieces are tried
 _LARGEST_EXPONENT = 600.0  # of a growth factor that doubles can hold
 
@@ -60,6 +63,8 @@ class NormRun:
     ``steps``: what an interrupted run has chosen, to be proved again, and who is told of each step that is proved.
     ``slow``: whether steps along a slow manifold are tried, which leave out what has decayed to rounding errors.
 
+    ``least_order``: terms of a step's polynomials at least, which with few bits may cost less than more steps.
+
     :raises ValueError: a box of another dimension, or a component that is not finite.
     """
 
@@ -70,6 +75,7 @@ class NormRun:
         time: arb | None = None,
         steps: Steps | None = None,
         slow: bool = True,
+        least_order: int = 8,
     ) -> None:
         if len(box) != field.dimension:
             raise ValueError(f"box: expected {field.dimension} components, got {len(box)}")
@@ -85,7 +91,7 @@ class NormRun:
         self.budget_ended = False
         """Whether it ended because of the number of steps."""
         self._left = time
-        self._curve = TaylorCurve(field)
+        self._curve = TaylorCurve(field, least_order)
         self._decay, self._slow = FastDecay(), slow
         self.set = self._of_box(box)
 
@@ -154,7 +160,8 @@ class NormRun:
         for halving in range(_HALVINGS):
             try:
                 h, solution = self._curve.advance(self.set.middle, left, halving)
-                before = max(log2_of(side.rad()) for side in self.set.enclosure())
+                least = _DEFECT_BITS - self._curve.fraction_bits(self.set.middle)
+                before = max(least, *(log2_of(side.rad()) for side in self.set.enclosure()))
                 best: NormStep | None = None
                 for pieces in _PIECES:
                     step = self._proved(solution, h, self._plan(solution, h, pieces))

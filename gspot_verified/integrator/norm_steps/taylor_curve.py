@@ -15,6 +15,7 @@ from gspot_verified.numbers.balls import approximate, current_bits
 
 _GUARD_BITS = 32  # of the working ones that the coefficients do not use
 _ORDER_PER_BIT = 0.4  # terms for each bit: by trial the quickest
+_LEAST_ORDER = 8  # where nothing is asked for
 _NOISE_BITS = 10  # of a coefficient that may be rounding errors alone; more where the field makes them larger
 _LAST_TERMS = 8  # of a series, which no longer decay where they are rounding errors
 _DECAYED_BITS = 24  # below the first terms, so that they are not the flat series of a step as long as the radius
@@ -33,11 +34,11 @@ _KEPT_FIELDS = 8  # whose recurrences are kept
 class TaylorCurve:
     """Polynomials along the solutions of one field, step after step: each length starts from the one before."""
 
-    def __init__(self, field: VectorField) -> None:
+    def __init__(self, field: VectorField, least_order: int = _LEAST_ORDER) -> None:
         self._recurrence = _recurrence(field)
         self._guess = _FIRST_LENGTH
         self._bits = current_bits() - _GUARD_BITS
-        self.order = max(8, round(_ORDER_PER_BIT * self._bits))
+        self.order = max(least_order, round(_ORDER_PER_BIT * self._bits))
 
     @property
     def length(self) -> float:

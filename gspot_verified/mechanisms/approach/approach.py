@@ -5,8 +5,9 @@ Proof pages: ``proofs/approach.md``, ``proofs/norm_step.md``, ``proofs/validated
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from flint import arb, fmpq
 
@@ -16,7 +17,15 @@ from gspot_verified.functions.rings import BALLS
 from gspot_verified.integrator.field.event import Crossing, Moment, Unclear, Watch, first_crossing
 from gspot_verified.integrator.norm_steps.chosen_step import Steps
 from gspot_verified.integrator.norm_steps.norm_run import NormRun, NormSegment
-from gspot_verified.mechanisms.approach.approach_plan import exponent_for, last_exponent_for
+from gspot_verified.mechanisms.approach.approach_plan import (
+    Trials,
+    bits_of_trial,
+    disc_and_terms,
+    exponent_for,
+    last_exponent_for,
+    lost_bits,
+    too_few_bits,
+)
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
 from gspot_verified.mechanisms.approach.capture import Capture, capture
 from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
@@ -28,7 +37,16 @@ from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify import case_of, sides_of
-from gspot_verified.numbers.balls import ExactInput, approximate, ball, ball_text, exact, sign_of, working_bits
+from gspot_verified.numbers.balls import (
+    ExactInput,
+    approximate,
+    ball,
+    ball_text,
+    exact,
+    relative_bits,
+    sign_of,
+    working_bits,
+)
 from gspot_verified.numbers.evidence import every, less
 from gspot_verified.numbers.inner_text import text_of_each
 from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
@@ -36,12 +54,21 @@ from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 MAX_STEPS = 600  # validated steps: a limit against endless work
 PRECISIONS = (160, 400)  # bits, tried in turn: any is correct, more keep the last balls narrow
 SPARE_BITS = 48  # more, which the polynomials of long steps leave to rounding errors
+_SPARE_OF_FEW_BITS = 32  # the same with fewer bits than those
+_LEAST_ORDER = 20  # of the polynomials of steps: with few bits what a step costs beside its terms counts more
+_FEWEST_LOST = 6.0  # bits that p has lost before its neighbourhood is looked at without the surface's velocity
 _SAMPLES = 4  # parts of a step that are checked, and points of it that are kept for pictures
 _PARTS = tuple(arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
 _FEWEST_BITS = 36  # of p: with fewer a run towards a G-spot ends, and what was seen before counts
-_DISC_BITS = 9  # the disc of Theorem A3 (proofs/approach.md) has at least the radius 2^-9
-_FEWEST_TERMS = 4  # of the distinguished trajectory's polynomial in p: any number is correct
+_FEWEST_OF_FEW = 20  # the same with few bits
 _TOO_CLOSE = "lift-off and stick happen too close together to tell which comes first"
+
+
+class Goal(NamedTuple):
+    """What ends a run: an answer that is ``enough``, with so many ``bits`` of C_1; with 0 of them its sign does."""
+
+    enough: Callable[[Approach], bool]
+    bits: int = 0
 
 
 def approach(
@@ -90,28 +117,47 @@ def followed(
     max_steps: int = MAX_STEPS,
     beside_place: bool = False,
     precisions: Sequence[int] | None = None,
+    goal: Goal | None = None,
 ) -> Approach:
     """The same for a mechanism whose functions are derived; ``beside_place``: what is left out is as at its place.
 
     ``precisions``: in bits (default: those of :func:`approach`), tried in turn until the end is proved and the sign of
-    C_1 is certain.
+    C_1 is certain. ``goal``: a run towards a G-spot ends as soon as it is met, and its answer holds no path; where no
+    precision meets it, the answer has as many bits of C_1 as were found.
     """
     velocity = None if surface_velocity is None else exact(surface_velocity, "surface_velocity")
-    for bits in precisions or PRECISIONS:
-        with working_bits(bits + SPARE_BITS):
-            outcome = _Attempt(shifted, state, velocity, bits, max_steps, beside_place).result()
+    best: Approach | None = None
+    tried = precisions or PRECISIONS
+    for bits in tried:
+        more = bits != tried[-1]
+        with working_bits(bits + (SPARE_BITS if bits >= SPARE_BITS else _SPARE_OF_FEW_BITS)):
+            outcome = _Attempt(shifted, state, velocity, bits, max_steps, beside_place, goal, more).result()
         known = outcome.coefficient is not None and sign_of(outcome.coefficient) in (1, -1)
-        if outcome.exit_code == 0 or known:  # more bits would not say more
+        if goal is not None and goal.bits and outcome.end == "G-spot":
+            if goal.enough(outcome):
+                return outcome
+            if best is None or _certain_bits(outcome) >= _certain_bits(best):
+                best = outcome
+        elif outcome.exit_code == 0 or known:  # more bits would not say more
             return outcome
-    return outcome
+    return outcome if best is None else best
+
+
+def _certain_bits(found: Approach) -> int:
+    """How many bits of C_1 are certain: 0 or less where its sign is not."""
+    return 0 if found.coefficient is None else relative_bits(found.coefficient)
 
 
 @dataclass(frozen=True, slots=True)
 class _Caught:
-    """States (the last component is the time) from which the G-spot is certainly reached."""
+    """States (the last component is the time) from which the G-spot is certainly reached.
+
+    ``exponent``: how many bits p has lost, about.
+    """
 
     states: list[arb]
     capture: Capture
+    exponent: float
 
 
 class _Attempt:
@@ -125,20 +171,27 @@ class _Attempt:
         bits: int,
         max_steps: int,
         beside_place: bool = False,
+        goal: Goal | None = None,
+        more: bool = False,
     ) -> None:
         self.mechanism, self.bits, self.max_steps = shifted.mechanism, bits, max_steps
+        self.goal, self.more = goal, more
+        self.wanted = 0 if goal is None else goal.bits
         self.programs = slip_programs(shifted)
         self.flow, self.numbers = self.programs.flow, self.programs.numbers
         self.hypotheses = self.programs.hypotheses
         self.start: SlipState = slip_state(shifted, state, beside_place)
         at = self.numbers.on(self.start.box)
         self._check(at.p, at.b)
-        check_mass_matrix(shifted, dict(zip(self.mechanism.state, self.start.box, strict=True)), BALLS, "at the start")
+        if isinstance(self.hypotheses.checked(self.start.box), str):  # then it says what is wrong
+            place = dict(zip(self.mechanism.state, self.start.box, strict=True))
+            check_mass_matrix(shifted, place, BALLS, "at the start")
         if velocity is None and at.u < 0:
             self.surface: arb | None = None
             self.surface_text: str | None = None
         else:
-            self.surface = arb(0) if velocity is None else ball(velocity)
+            self.velocity = fmpq(0) if velocity is None else velocity
+            self.surface = ball(self.velocity)
             self.surface_text = "0" if velocity is None else text_of_each(velocity)
             if not at.u > self.surface:
                 raise StateError(
@@ -165,12 +218,16 @@ class _Attempt:
     def result(self) -> Approach:
         """The run, until something is proved or the budget ends."""
         field = self.programs.desingularised
-        run = NormRun(field, [*self.start.box, arb(0)], steps=Steps(self.max_steps), slow=False)
+        run = NormRun(
+            field, [*self.start.box, arb(0)], steps=Steps(self.max_steps), slow=False, least_order=_LEAST_ORDER
+        )
         watches = [Watch("lift-off", self.flow.b, field)]
         if self.surface is not None:
-            watches.append(Watch("stick", Constant(self.surface) - self.flow.u, field))
+            watches.append(Watch("stick", Constant(self.velocity) - self.flow.u, field))
         caught: _Caught | None = None
         marked: _Caught | None = None
+        known: list[_Caught] = []
+        trials = Trials(self.wanted, self.flow.dimension)
         for segment in run:
             doubt = self._doubt(segment)
             if doubt is not None:
@@ -187,8 +244,9 @@ class _Attempt:
                 break
             neighbourhood = capture(self.numbers, states, self.surface)
             if neighbourhood is None:
-                loose = capture(self.numbers, states, None)
-                if caught is None and loose is not None and self._near(states, exponent_for(loose, self.bits)):
+                near = caught is None and self._near(states, _FEWEST_LOST)
+                loose = capture(self.numbers, states, None) if near else None
+                if loose is not None and self._near(states, exponent_for(loose, self.bits, self.wanted)):
                     slip = ball_text(loose.numbers.u, 6)
                     return self._open(f"u may fall to the surface's velocity just where p vanishes: u = {slip} there")
                 continue
@@ -199,17 +257,39 @@ class _Attempt:
                 if quiet is None:
                     continue
                 self.shown += [quiet, neighbourhood.evidence, supposed]
-            caught = _Caught(states, neighbourhood)
-            exponent = exponent_for(neighbourhood, self.bits)
+            caught = _Caught(states, neighbourhood, lost_bits(self.numbers.on(states).p))
+            if self.goal is not None:
+                known.append(caught)
+                found = self._early(known, trials, self.goal)
+                if found is not None:
+                    return found
+            exponent = exponent_for(neighbourhood, self.bits, self.wanted)
             if marked is None and self._near(states, exponent):
                 marked = caught
             if marked is not None and self._near(
                 states, last_exponent_for(neighbourhood, exponent, self.bits, self.flow.dimension)
             ):
                 break
+        if caught is not None and self.goal is not None:
+            marked = marked or caught
         if caught is not None and marked is not None:
-            return self._at_spot(marked, caught)
+            return self._at_spot(marked, caught, exponent_for(marked.capture, self.bits, self.wanted))
         return self._open(run.reason or "no end")
+
+    def _early(self, known: list[_Caught], trials: Trials, goal: Goal) -> Approach | None:
+        """The answer from these states, where it is enough, or more bits are needed; else the run goes on."""
+        last = known[-1]
+        hopeless = self.more and too_few_bits(last.capture, self.bits, self.wanted)
+        chosen = len(known) - 1 if hopeless else trials.marked(known)
+        if chosen is None:
+            return None
+        exponent = known[chosen].exponent
+        needed = bits_of_trial(last.capture, exponent, self.bits, self.wanted)
+        found = self._at_spot(known[chosen], last, exponent, needed)
+        if hopeless or goal.enough(found):
+            return found
+        trials.tried(last, _certain_bits(found))
+        return None
 
     def _doubt(self, segment: NormSegment) -> str | None:
         """A hypothesis on the mechanism that is not certain on some part of the segment."""
@@ -222,6 +302,10 @@ class _Attempt:
         return None
 
     def _remember(self, segment: NormSegment) -> None:
+        if self.goal is not None:  # no path is asked for, and u only where it says which surfaces the answer is for
+            if self.surface is None:
+                self._note_slip(segment, arb(1))
+            return
         first = [arb(0)] if not self.rows else []
         for tau in [*first, *(arb(k) / _SAMPLES for k in range(1, _SAMPLES + 1))]:
             states = segment.states(tau)
@@ -238,9 +322,13 @@ class _Attempt:
 
     def _tells(self, states: list[arb]) -> bool:
         """Whether p is far enough from 0 for its errors to be small."""
-        return self.numbers.on(states).p.rel_accuracy_bits() >= _FEWEST_BITS
+        return self.numbers.on(states).p.rel_accuracy_bits() >= (
+            _FEWEST_BITS if self.bits >= SPARE_BITS else _FEWEST_OF_FEW
+        )
 
-    def _at_spot(self, marked: _Caught, last: _Caught) -> Approach:
+    def _at_spot(self, marked: _Caught, last: _Caught, exponent: float, bits: int = 0) -> Approach:
+        """What is proved at the G-spot; ``exponent``: how many bits p has lost in the marked state, at least; ``bits``
+        of the distinguished trajectory are needed there, 0: as many as there are."""
         place = self._spot(last.capture)
         star = self.numbers.on(place)
         alphas = (star.alpha_1, star.alpha_2, star.alpha_3)
@@ -250,9 +338,7 @@ class _Attempt:
         if beta < 1:
             coefficient = coefficient_below_one(self.numbers, last.states, last.capture, place)
         elif beta > 1:
-            exponent = exponent_for(marked.capture, self.bits)
-            disc = min(_DISC_BITS, round(exponent / 2))
-            terms = max(_FEWEST_TERMS, round(approximate(beta)) + 1, round(self.bits / max(exponent - disc, 2.0)))
+            disc, terms = disc_and_terms(approximate(beta), exponent, bits or self.bits)
             coefficient = coefficient_above_one(
                 self.numbers, self.programs.by_p, marked.states, marked.capture, place, terms, arb(2) ** -disc
             )
@@ -376,7 +462,7 @@ class _Attempt:
             path=path,
             bits=self.bits,
             supposed=self.start.supposed,
-            fast_exponent=self._fast_exponent(path) if end == "G-spot" else None,
+            fast_exponent=self._fast_exponent(path) if end == "G-spot" and self.goal is None else None,
             spot=tuple(place) if end == "G-spot" else (),
         )
 

@@ -64,9 +64,10 @@ def coefficient_above_one(
         beta_change = beta_change + slope.abs_upper() * way.abs_upper()
     omega = last * (beta_change + region.R_state * c)
     star = numbers.on(place)
-    exponent = star.alpha_3 / star.alpha_1 - 1
-    factor = add_remainder(arb(0), omega).exp()
-    value = -((-star.alpha_1) ** (exponent + 1)) * (at.force - middle) * at.p ** (-exponent) * factor
+    deviation = at.force - middle
+    # One power of (α₁*/p)^(β* - 1) and exp([-ω, ω]): a product of wide balls would lose the sign.
+    grown = add_remainder((star.alpha_3 / star.alpha_1 - 1) * (-star.alpha_1 / at.p).log(), omega).exp()
+    value = star.alpha_1 * deviation * grown
     return value if value.is_finite() else None
 
 
@@ -87,8 +88,8 @@ def coefficient_below_one(
     distance = F * p / first**2 + G * (neighbourhood.integral_of_b + second * p / first**2) / third
     slopes = sum((slope.abs_upper() for slope in numbers.beta_slopes(neighbourhood.box)), arb(0))
     omega = second * inverse_force + inside.alpha_1.abs_upper() * slopes * distance
-    beta = star.alpha_3 / star.alpha_1
-    value = (-star.alpha_1) ** beta * at.b * at.p ** (-beta) * add_remainder(arb(0), omega).exp()
+    grown = add_remainder(star.alpha_3 / star.alpha_1 * (-star.alpha_1 / at.p).log(), omega).exp()
+    value = at.b * grown
     return value if value.is_finite() else None
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 from typing import ClassVar
 
@@ -15,7 +16,7 @@ from flint import arb, arb_mat, fmpq
 from gspot_verified.expansion.from_state.affine_side import AffineSide
 from gspot_verified.expansion.from_state.limit_side import OTHER, rule_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
-from gspot_verified.mechanisms.approach.approach import MAX_STEPS, followed
+from gspot_verified.mechanisms.approach.approach import MAX_STEPS, Goal, followed
 from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.approach.slip_programs import slip_programs
@@ -24,10 +25,12 @@ from gspot_verified.mechanisms.derive.to_system import Shifted, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.spot_conditions import components_of
-from gspot_verified.numbers.balls import ExactInput, ball_text, working_bits
+from gspot_verified.numbers.balls import ExactInput, ball_text, relative_bits, working_bits
 from gspot_verified.numbers.evidence import differ, every, less, signed
 from gspot_verified.numbers.verdict import Evidence, NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written, under
+
+_KEPT = 8  # flows whose components are known
 
 
 @dataclass(frozen=True)
@@ -145,8 +148,26 @@ def side_from(
     max_steps: int = MAX_STEPS,
     beside_place: bool = False,
     precisions: Sequence[int] | None = None,
+    coefficient_bits: int | None = None,
 ) -> MechanismSide:
-    """The same for a mechanism whose functions are derived; the arguments are those of :func:`followed`."""
+    """The same for a mechanism whose functions are derived; the arguments are those of :func:`followed`.
+
+    ``coefficient_bits``: a run ends when the side, Theorem R's too where it may say one, and so many bits of C_1 are
+    known; None: as in :func:`approach`.
+    """
+    judged: list[tuple[Approach, tuple[tuple[str, ...], tuple[str, Evidence] | _Open]]] = []
+
+    def enough(found: Approach) -> bool:
+        """Whether going on would say no more that is asked for."""
+        if found.coefficient is None or found.exit_code != 0:
+            return False
+        if coefficient_bits and relative_bits(found.coefficient) < coefficient_bits:
+            return False
+        with working_bits(found.bits):
+            judged[:] = [(found, _outcome(shifted, found))]
+        outcome = judged[0][1][1]
+        return not isinstance(outcome, _Open) or outcome.reason is Reason.BEYOND
+
     found = followed(
         shifted,
         start,
@@ -154,10 +175,14 @@ def side_from(
         max_steps=max_steps,
         beside_place=beside_place,
         precisions=precisions,
+        goal=None if coefficient_bits is None else Goal(enough, coefficient_bits),
     )
     whole = _statement(shifted.mechanism, found)
-    with working_bits(found.bits):
-        names, outcome = _outcome(shifted, found)
+    if judged and judged[0][0] is found:
+        names, outcome = judged[0][1]
+    else:
+        with working_bits(found.bits):
+            names, outcome = _outcome(shifted, found)
     if isinstance(outcome, _Open):
         verdict = Verdict.undecided(f"{whole} lift-off or impact", outcome.reason, outcome.why)
         return MechanismSide(found, names, None, verdict)
@@ -230,6 +255,7 @@ def _outcome(shifted: Shifted, found: Approach) -> tuple[tuple[str, ...], tuple[
     return names, (rule[0] if of_coefficient[0] > 0 else OTHER[rule[0]], evidence)
 
 
+@lru_cache(_KEPT)
 def active_components(flow: SlipFlow) -> tuple[int, ...]:
     """The components on which p, b, y, v, the alphas, and their own rates depend or may depend, in order."""
     active = frozenset[int]().union(

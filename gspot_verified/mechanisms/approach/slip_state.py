@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import lru_cache, reduce
 
 from flint import arb, arb_mat
 
@@ -24,6 +24,7 @@ from gspot_verified.mechanisms.spots.g_spot import place_in
 from gspot_verified.mechanisms.spots.spot_conditions import take_apart
 from gspot_verified.numbers.balls import ExactInput, add_remainder, ball_text, current_bits, sign_of
 
+_KEPT = 8  # mechanisms and precisions whose programs are kept
 _NEWTON_STEPS = 40  # a limit of effort
 _INFLATIONS = 8  # tries, each 32 times as wide: any number is correct, Krawczyk's test decides
 
@@ -74,7 +75,7 @@ def slip_state(shifted: Shifted, state: StateInput, beside_place: bool = False) 
     if beside_place and not left_out:
         raise StateError(f"{mechanism.name}: the state gives all components: nothing of the G-spot is left to be used")
     box = placed_components(shifted, state, left_out)
-    program = BoxProgram(shifted.expressions([shifted.functions.y, shifted.functions.v], BALLS), len(box))
+    program = _contact(shifted, current_bits())
     if missing:
         solution = _solved(mechanism, program, box, missing)
         return SlipState(solution, tuple(missing), _supposed_constraints(shifted, solution))
@@ -106,7 +107,7 @@ def _supposed_constraints(shifted: Shifted, box: Sequence[arb]) -> tuple[str, ..
     if not shifted.constraints:
         return ()
     supposed: list[str] = []
-    program = BoxProgram(shifted.expressions(shifted.constraints, BALLS), len(box))
+    program = _constraints(shifted, current_bits())
     for i, value in enumerate(program.values(list(box))):
         count = len(shifted.constraints) // 2
         what = f"constraint {i + 1}" if i < count else f"the rate of constraint {i + 1 - count}"
@@ -115,6 +116,19 @@ def _supposed_constraints(shifted: Shifted, box: Sequence[arb]) -> tuple[str, ..
         if _perhaps_not_zero(value):
             supposed.append(what)
     return tuple(supposed)
+
+
+@lru_cache(_KEPT)
+def _contact(shifted: Shifted, bits: int) -> BoxProgram:  # noqa: ARG001
+    """y and v; constants that are balls have the precision in force."""
+    functions = shifted.functions
+    return BoxProgram(shifted.expressions([functions.y, functions.v], BALLS), len(functions.F))
+
+
+@lru_cache(_KEPT)
+def _constraints(shifted: Shifted, bits: int) -> BoxProgram:  # noqa: ARG001
+    """The constraints and their rates, likewise."""
+    return BoxProgram(shifted.expressions(shifted.constraints, BALLS), len(shifted.functions.F))
 
 
 def _perhaps_not_zero(value: arb) -> bool:

@@ -19,6 +19,7 @@ class ApproachedRow(NoTruthValue, Written):
     paper's at leading order. "undecided": ``reason`` says why. "refused": no mechanism has these values, or the state
     is none of positive slip in contact; ``reason`` says what is wrong. ``small_epsilon_side``: what
     :func:`mechanism_side` proves, None where it is open or not asked, ``small_epsilon_reason`` says why.
+    ``digits``: how many decimal digits of C_1 are certain, 15 at most; None where there is no C_1.
     ``numbers`` enclose the time until then and, at a G-spot, alpha_1, alpha_2, alpha_3, beta and C_1, ``point`` the
     G-spot, angles included; None: not known, or not defined.
     """
@@ -38,6 +39,7 @@ class ApproachedRow(NoTruthValue, Written):
     warnings: tuple[str, ...]
     numbers: Numbers
     point: Numbers
+    digits: int | None = None
 
     @property
     def summary(self) -> str:
@@ -47,7 +49,8 @@ class ApproachedRow(NoTruthValue, Written):
     def to_csv(self) -> str:
         """The row as a line of CSV, under :meth:`csv_head`: bounds are rounded outward."""
         words = [self.outcome, self.end or "", self.case or "", self.side or "", self.small_epsilon_side or ""]
-        texts = [self.reason, self.small_epsilon_reason, "; ".join(self.warnings)]
+        digits = "" if self.digits is None else str(self.digits)
+        texts = [self.reason, self.small_epsilon_reason, "; ".join(self.warnings), digits]
         return line([*(text for _, text in self.given), *words, *texts, *bounds((*self.numbers, *self.point))])
 
     def csv_head(self) -> str:
@@ -55,6 +58,7 @@ class ApproachedRow(NoTruthValue, Written):
 
         One that is taken by a value or a number before it begins with ``answer_``, ``spot_`` (a number) or ``state_``.
         """
-        words = ["outcome", "end", "case", "side", "small_epsilon_side", "reason", "small_epsilon_reason", "warnings"]
-        groups = (("", [name for name, _ in self.given]), ("answer_", words))
+        words = ["outcome", "end", "case", "side", "small_epsilon_side"]
+        texts = ["reason", "small_epsilon_reason", "warnings", "C1_digits"]
+        groups = (("", [name for name, _ in self.given]), ("answer_", [*words, *texts]))
         return line(columns(*groups, ("spot_", ends(self.numbers)), ("state_", ends(self.point))))

@@ -47,7 +47,7 @@ def test_more_bits_are_tried_where_they_may_say_more(
 ) -> None:
     asked: list[tuple[Any, int, int]] = []
 
-    def attempt(_: Any, __: Any, velocity: Any, bits: int, steps: int, ___: bool) -> Any:
+    def attempt(_: Any, __: Any, velocity: Any, bits: int, steps: int, *_more: Any) -> Any:
         asked.append((velocity, bits, steps))
         return SimpleNamespace(result=lambda: SimpleNamespace(coefficient=coefficient, exit_code=exit_code))
 
@@ -84,7 +84,7 @@ def test_the_path_begins_at_the_start_and_has_each_part_of_a_segment_once() -> N
             return [arb(7), 10 * (self.begin + tau), self.begin + tau]
 
     attempt: Any = object.__new__(_Attempt)
-    attempt.rows, attempt.least_slip = [], None
+    attempt.rows, attempt.least_slip, attempt.goal = [], None, None
     attempt.numbers = SimpleNamespace(on=lambda states: SimpleNamespace(u=states[1]))
     attempt._remember(Segment(3))
     attempt._remember(Segment(4))

@@ -24,7 +24,7 @@ from gspot_verified.numbers.balls import ball
 
 MODEL = load("model system")
 FIXED = {"x": 0, "u": 3}
-BALL = re.compile(r"\[\S+ \+/- \S+\]")  # its width is that of the bits with which a row was settled
+BALL = re.compile(r"\[\S+ \+/- \S+\]|-?\d+\.\d+")  # its width is that of the bits with which a row was settled
 STATES = [{"p": "1/2", "b": "-2"}, {"p": "1/2", "b": "-1/50"}, {"p": "1/4", "b": "-1"}]
 
 
@@ -169,15 +169,16 @@ def test_few_bits_first_and_more_where_a_row_is_open(monkeypatch: pytest.MonkeyP
     close = {"p": "1/2", "b": "-1000000001/1000000000"}  # to the distinguished trajectory, which has b = -1 there
     row, open_at_first = approach_table(MODEL, [STATES[0], close], FIXED)
     monkeypatch.undo()
-    assert [bits for *_, bits in tried] == [64, 160]
-    assert tried[0][1:-1] == PRECISIONS
+    assert [bits for *_, bits in tried] == [40, 160]
+    assert tried[0][2:-1] == PRECISIONS
     for each, values in ((row, STATES[0]), (open_at_first, close)):
         agrees(each, "model system", {}, {**FIXED, **values})
         assert each.outcome == "settled"
 
 
-def test_rows_of_other_parameters_share_nothing_that_depends_on_them() -> None:
+def test_rows_of_other_parameters_share_nothing_that_depends_on_them(monkeypatch: pytest.MonkeyPatch) -> None:
     """What is compiled for a row is not taken for the next one of other parameters, nor for the first one again."""
+    monkeypatch.setattr(module, "_PORTION", 1)  # all begin with the same precision
     values = ["-3/2", "-5/2", "-3/2"]
     found = list(approach_table(MODEL, [{**STATES[0], "alpha_3": value} for value in values], FIXED))
     for row, value in zip(found, values, strict=True):
@@ -185,3 +186,77 @@ def test_rows_of_other_parameters_share_nothing_that_depends_on_them() -> None:
         assert beta is not None
         assert beta.to_ball().contains(-fmpq(*map(int, value.split("/"))))
     assert replace(found[2], number=1) == found[0]
+
+
+def test_a_row_after_one_of_more_bits_begins_with_the_second_precision(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In its portion, so that the rows are the same for every executor; the next portion begins anew."""
+    tried: list[int] = []
+    real = module.side_from
+
+    def noted(*given: Any, **more: Any) -> Any:
+        tried.append(more["precisions"][0])
+        return real(*given, **more)
+
+    monkeypatch.setattr(module, "side_from", noted)
+    monkeypatch.setattr(module, "_PORTION", 3)
+    close = {"p": "1/2", "b": "-1000000001/1000000000"}
+    found = list(approach_table(MODEL, [STATES[0], close, STATES[0], STATES[0]], FIXED))
+    assert tried == [40, 40, 64, 40]
+    assert {row.outcome for row in found} == {"settled"}
+
+
+@pytest.mark.parametrize(
+    ("name", "state"),
+    [
+        ("model system", {**FIXED, **STATES[0]}),
+        ("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}),
+        ("rod", {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": "1/2"}),
+    ],
+)
+def test_digits_that_are_asked_for(name: str, state: Mapping[str, str | int]) -> None:
+    """Few bits find the sign; more digits are in the first answer's bounds, and in those of the state alone."""
+    numbers = []
+    for digits in (None, 1, 5, 15):
+        (row,) = approach_table(load(name), [state], digits=digits)
+        agrees(row, name, {}, state)
+        assert row.outcome == "settled"
+        value = dict(row.numbers)["C1"]
+        assert value is not None
+        numbers.append(value.to_ball())
+        if digits is not None:
+            assert row.digits is not None
+            assert row.digits >= digits
+            assert numbers[-1].rad() <= abs(numbers[-1]).upper() / 10**digits
+        assert str(row.digits) == row.to_csv().rstrip("\n").split(",")[row.csv_head().split(",").index("C1_digits")]
+    assert all(one.overlaps(other) for one in numbers for other in numbers)
+
+
+def test_a_row_with_fewer_digits_says_how_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is known stands there; it is not settled."""
+    monkeypatch.setattr(module, "_PRECISIONS", (40,))
+    monkeypatch.setattr(module, "_BITS_FOR_DIGITS", 64)
+    row, early = approach_table(MODEL, [STATES[0], {"p": "1/2", "b": "-1/50"}], FIXED, digits=15)
+    assert (row.outcome, row.end, row.side) == ("undecided", "G-spot", "lift-off")
+    assert row.reason == f"C1 has {row.digits} digits, 15 were asked for"
+    assert row.digits is not None
+    assert 1 <= row.digits < 15
+    assert early.outcome in ("settled", "undecided")
+
+
+@pytest.mark.parametrize("digits", [0, 16, -1])
+def test_digits_out_of_range(digits: int) -> None:
+    with pytest.raises(ValueError, match="digits must lie in 1"):
+        approach_table(MODEL, STATES, FIXED, digits=digits)
+
+
+def test_a_part_of_the_table() -> None:
+    """The same answers by the same numbers; what is no part is refused."""
+    whole = list(approach_table(MODEL, STATES, FIXED))
+    assert list(approach_table(MODEL, STATES, FIXED, only=(2, 3))) == whole[1:]
+    assert list(approach_table(MODEL, STATES, FIXED, only=(2, None))) == whole[1:]
+    assert list(approach_table(MODEL, STATES, FIXED, only=(1, 1))) == whole[:1]
+    for part in ((0, 1), (3, 2), (1.0, 2), (1, "2")):
+        with pytest.raises(ValueError, match="expected two numbers"):
+            approach_table(MODEL, STATES, FIXED, only=part)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="the table has no row 4"):
+        approach_table(MODEL, STATES, FIXED, only=(4, None))
