@@ -234,6 +234,7 @@ def _followed(
     """From p_1 to the end, for all delta of the equations, or what a plan failed by that came farthest; ``ways`` gets
     where p, b, y, v are on it."""
     by_tube, by_hand_over, by_end = list[str](), list[str](), list[str]()
+    wide = list[arb]()  # z of what was handed over and not followed to an end
     for one in prepared:
         passed = _tube(start, one, largest_e(start.manifold.system.a, equations.exact_delta))
         if isinstance(passed, str):
@@ -243,9 +244,12 @@ def _followed(
         if isinstance(handed, str):
             by_hand_over.append(handed)
             continue
+        if any(z <= handed.z for z in wide):
+            continue
         ended = _ended(start, equations, factor, handed, one.plan.place)
         if isinstance(ended, str):
             by_end.append(ended)
+            wide.append(handed.z)
             continue
         whole = every([passed.evidence, ended.evidence])
         if whole is not None:

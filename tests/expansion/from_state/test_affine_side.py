@@ -329,7 +329,8 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
     start = AffineStart(manifold_of(system), P, fmpq(-1), fmpq(0))
     equations = SimpleNamespace(exact_delta=fmpq(1, 10))
     end = SideEnd(fmpq(0), fmpq(1), 1, fmpq(1), cone_of(1), arb(2), arb(3), (), SHOWN)
-    tube, handed, seen = SimpleNamespace(evidence=SHOWN, cone="cone"), object.__new__(HandOver), list[Any]()
+    tube, handed, seen = SimpleNamespace(evidence=SHOWN, cone="cone"), SimpleNamespace(z=arb("0.25")), list[Any]()
+    beside = SimpleNamespace(z=arb("0.125"))
 
     def tubes(_: Any, one: Any, e: fmpq) -> Any:
         seen.append(e)
@@ -337,10 +338,11 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
 
     def hand_over(*given: Any) -> Any:
         assert given[:3] == (equations, f"start {given[3]}", tube)
-        return "handed" if given[3] == 2 else handed
+        return "handed" if given[3] == 2 else beside if given[3] == 4 else handed
 
     def ended(*given: Any) -> Any:
-        assert given[:4] == (start, equations, fmpq(11), handed)
+        assert given[:3] == (start, equations, fmpq(11))
+        assert given[3] is (beside if given[4] == 4 else handed)
         return "ended" if given[4] == 3 else end
 
     for name, stand_in in (("_tube", tubes), ("affine_hand_over", hand_over), ("_ended", ended)):
@@ -361,6 +363,9 @@ def test_a_plan_that_fails_is_followed_by_the_next(monkeypatch: pytest.MonkeyPat
     assert followed(1, 2) == "handed"
     assert followed(2, 3) == "ended"
     assert followed(3, 2, 1) == "ended"
+    assert followed(3, 5) == "ended"  # z is no smaller than that of the one that came to no end
+    assert isinstance(followed(5), SideEnd)
+    ways.pop()
     assert followed(2, 1) == "handed"
     assert followed() == "Theorem B': no norm and no z_max was tried"
     ((cone, later),) = ways
