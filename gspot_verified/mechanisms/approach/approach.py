@@ -131,7 +131,9 @@ def followed(
     for bits in tried:
         more = bits != tried[-1]
         with working_bits(bits + (SPARE_BITS if bits >= SPARE_BITS else _SPARE_OF_FEW_BITS)):
-            outcome = _Attempt(shifted, state, velocity, bits, max_steps, beside_place, goal, more).result()
+            outcome = _Attempt(
+                shifted, state, velocity, bits, max_steps, beside_place=beside_place, goal=goal, more=more
+            ).result()
         known = outcome.coefficient is not None and sign_of(outcome.coefficient) in (1, -1)
         if goal is not None and goal.bits and outcome.end == "G-spot":
             if goal.enough(outcome):

@@ -16,7 +16,7 @@ _CLOSE_DISC_BITS = 7  # likewise where p is not much smaller: from here on a quo
 _LEAST_RATIO_BITS = 3  # of that radius and p
 _FEWEST_TERMS = 4  # of the distinguished trajectory's polynomial in p: any number is correct
 _TERMS_SPARE = 24  # bits of that polynomial beyond those of C_1
-_LEAST_EXPONENT = 10.0
+_LEAST_EXPONENT = 10.0  # bits that p is to lose at least
 _FIRST_SPARE = 6  # bits that p and the place of the G-spot must lose beyond those of C_1, in the first try
 _NEAR = 32  # p is to be so much smaller than where power series end; up to twice as large the first state is taken
 

@@ -47,7 +47,7 @@ def test_more_bits_are_tried_where_they_may_say_more(
 ) -> None:
     asked: list[tuple[Any, int, int]] = []
 
-    def attempt(_: Any, __: Any, velocity: Any, bits: int, steps: int, *_more: Any) -> Any:
+    def attempt(_: Any, __: Any, velocity: Any, bits: int, steps: int, **_more: Any) -> Any:
         asked.append((velocity, bits, steps))
         return SimpleNamespace(result=lambda: SimpleNamespace(coefficient=coefficient, exit_code=exit_code))
 
