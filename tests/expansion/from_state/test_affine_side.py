@@ -17,7 +17,6 @@ from gspot_verified.expansion.from_state.affine_system import Affine, AffineSyst
 from gspot_verified.expansion.from_state.affine_tube import AffineStart, AffineTube, affine_tube, carried
 from gspot_verified.expansion.from_state.choice import LARGEST, LARGEST_DELTA, Plan
 from gspot_verified.expansion.from_state.fast_growth import Norm, Rectangle, fast_growth
-from gspot_verified.expansion.from_state.hand_over import HandOver
 from gspot_verified.expansion.from_state.slow_manifold import Cut, SlowManifold, excess_terms, slow_manifold
 from gspot_verified.expansion.series.regularisation import PAPER
 from gspot_verified.expansion.true_solutions.delta_ranges import smallest
