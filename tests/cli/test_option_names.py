@@ -65,6 +65,7 @@ OPTIONS: dict[str, tuple[type, str]] = {
     "--positive": (bool, "the other sign"),
     "--residual": (str, "the range on which the residual is bounded"),
     "--route": (str, "which certified way"),
+    "--rows": (str, "which rows of a table are done"),
     "--scene": (str, "a scene of the mechanism"),
     "--scheduler": (str, "a Dask scheduler"),
     "--set": (str, "the value of a parameter"),

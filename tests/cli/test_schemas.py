@@ -63,7 +63,7 @@ RUNS = [
     ("zeros", "--beta", "17/4..35/8", "--eps", "1"),
     ("iwc", "--beta", "7/3"),
     ("verdict", "--beta", "3/2"),
-    ("verdict", "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1e-2"),
+    ("verdict", "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1e-2", "--within", "1/3"),
     ("iwc", "--beta", "7/3", "--c1", "1", "--epsilon", "1/1000", "--growth"),
     ("iwc", "--beta", "1/2", "--alpha2", "0"),
     ("iwc", "--mechanism", "genot_brogliato_rod"),

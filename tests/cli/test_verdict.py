@@ -45,7 +45,7 @@ def test_of_a_mechanism_undecided_says_why(capsys: pytest.CaptureFixture[str]) -
 
 
 def test_undecided_says_which_inequality_fails(capsys: pytest.CaptureFixture[str]) -> None:
-    code, output, _ = run(capsys, "--beta", "3/2", "--from", "p=1/2,b=-2", "--eps", "1/10")
+    code, output, _ = run(capsys, "--beta", "3/2", "--from", "p=1/20,b=-1/8", "--eps", "1/10")
     assert code == 2
     assert "Theorem U2: up to s = " in output
     assert "it is proved up to epsilon = " in output

@@ -54,7 +54,7 @@ def test_other_springs_and_another_damper(tmp_path: Path) -> None:
 
 
 def test_what_is_undecided_has_no_certificate() -> None:
-    side = model_side("3/2", "1/2", -2, epsilon=1)
+    side = model_side("3/2", "1/2", -2, epsilon=1, within="1/3")
     assert side.side is None
     with pytest.raises(ValueError, match="no side is proved for epsilon up to 1"):
         side_certificate(side)
