@@ -81,7 +81,7 @@ def test_the_sentence_says_what_its_letters_are() -> None:
 
 
 def test_large_epsilon_is_undecided_and_says_why() -> None:
-    found = model_side("5/2", "1/2", "-2/3", epsilon="1/100")
+    found = model_side("3/2", "1/20", "-1/8", epsilon="1/100")
     assert found.side is None
     assert found.verdict.outcome is Outcome.UNDECIDED
     assert "a smaller epsilon may do; it is proved up to epsilon = " in found.verdict.detail

@@ -209,14 +209,14 @@ def test_a_row_after_one_of_more_bits_begins_with_the_second_precision(monkeypat
     ("name", "state"),
     [
         ("model system", {**FIXED, **STATES[0]}),
-        ("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}),
+        pytest.param("oscillator", {"phi": "phi_ref + 1/10", "phi_dot": "-9/10"}, marks=pytest.mark.slow),
         ("rod", {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": "1/2"}),
     ],
 )
 def test_digits_that_are_asked_for(name: str, state: Mapping[str, str | int]) -> None:
     """Few bits find the sign; more digits are in the first answer's bounds, and in those of the state alone."""
     numbers = []
-    for digits in (None, 1, 5, 15):
+    for digits in (None, 4, 15):
         (row,) = approach_table(load(name), [state], digits=digits)
         agrees(row, name, {}, state)
         assert row.outcome == "settled"
