@@ -16,7 +16,9 @@ from gspot_verified.expansion.from_state.affine_side import AffineSide, ChartedW
 from gspot_verified.mechanisms.approach.affine_motion import with_explicit
 from gspot_verified.mechanisms.approach.chart_motion import with_chart
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, OwnSide, mechanism_side
+from gspot_verified.mechanisms.approach.slip_flow import SlipFlow
 from gspot_verified.mechanisms.derive.slip_hypotheses import FRICTION, SlipHypotheses
+from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.own_state import own_state as module
 from gspot_verified.mechanisms.own_state.own_state import with_own_state
@@ -179,6 +181,38 @@ def test_where_the_surface_is_not_known_the_velocities_are_said_that_slip_allows
     assert fmpq(1) < largest(fmpq(1)) < fmpq(11, 10)
     assert largest(fmpq(0)) - largest(fmpq(1)) == 1
     assert fmpq(-9, 10) > largest(fmpq(3)) > -1
+
+
+def test_of_the_slip_on_the_way_and_at_its_end_the_least_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """u is 1 in one box of the way, 3 at the end; the number is rounded down."""
+
+    def at(u: arb) -> list[arb]:
+        return [arb(0), u, arb(0), arb(0), arb("0.25"), arb(-1)]
+
+    surface, flow = SimpleNamespace(surface=None), SlipFlow.of(shift(load("model system")))
+
+    def below(lost: fmpq, *boxes: arb) -> float | None:
+        side = SimpleNamespace(way=SimpleNamespace(lost=lost))
+        question: Any = module._Question(SimpleNamespace(approach=surface), side, None, flow, [])  # type: ignore[arg-type]
+        told = question._with_slip(SimpleNamespace(states=at(arb(3)), boxes=[at(u) for u in boxes]), SHOWN)
+        assert told.slip_lasts == (told.below is not None)
+        return told.below  # type: ignore[no-any-return]
+
+    with working_bits(60):
+        least = below(fmpq(1), arb(5), arb(1, "0.25"), arb(4))
+        assert least is not None
+        assert 0.749999 < least <= 0.75
+        least = below(fmpq(5, 2), arb(5), arb(1), arb(4))
+        assert least is not None
+        assert 0.499999 < least <= 0.5
+        assert below(fmpq(1), arb(5), arb("nan")) is None
+    monkeypatch.setattr(module, "float_bounds", lambda _: (0.12349, 0.2))
+    found = asked()
+    assert found.explicit is not None
+    way = replace(found.explicit.way, lost=fmpq(0))  # type: ignore[type-var]
+    unknown = replace(found.approach, surface_velocity=None, surface=None)
+    told = own(replace(found, explicit=replace(found.explicit, way=way), approach=unknown))
+    assert "with a constant velocity below 0.123 contact" in str(told)
 
 
 def test_what_has_nothing_to_go_on_with_is_left_alone() -> None:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
+import pytest
 from flint import arb, fmpq
 from mechanisms.spots.test_all_g_spots import free_rod, polynomial
 
-from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
+from gspot_verified.mechanisms.spots import all_g_spots
+from gspot_verified.mechanisms.spots.all_g_spots import _Search, find_g_spots
 from gspot_verified.mechanisms.spots.g_spot_list import Patch
 from gspot_verified.numbers.balls import exact
 
@@ -78,3 +80,19 @@ def test_a_patch_over_velocities_names_the_angle() -> None:
     assert found is not None
     assert "theta" in dict(found.box)
     assert "theta" not in dict(found.parameters)
+
+
+def test_a_box_that_was_not_compared_gives_no_patch(monkeypatch: pytest.MonkeyPatch) -> None:
+    """That what is written lies in what was checked; that the solution of the stages before is the only one there."""
+    functions = polynomial("w^2 - 1", "s^2 + r^2 - 1", ("w", "s", "r"))
+    with monkeypatch.context() as patched:
+        patched.setattr(all_g_spots, "in_inner_interval", lambda *_: None)
+        assert find_g_spots(functions).patch is None
+    with monkeypatch.context() as patched:
+        patched.setattr(_Search, "_is", lambda *_: None)
+        assert find_g_spots(functions).patch is None
+    with monkeypatch.context() as patched:  # a box is found, and not compared
+        patched.setattr(_Search, "_is", lambda *_: None)
+        wider = arb(0, "0.001")
+        patched.setattr(_Search, "_alone", lambda _, before: {i: x + wider for i, x in before.values.items()})
+        assert find_g_spots(functions).patch is None
