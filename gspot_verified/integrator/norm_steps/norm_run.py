@@ -33,9 +33,7 @@ _MOST_PIECES = 256  # of one slow step
 _SLOW_TRIES = 3  # lengths of a slow step; then a resolved one
 _DEPENDENCIES = (4.0, 16.0, 64.0)
 _WIDE = -24.0  # log2 of a radius from which on a set may be the reason why no step is proved
-_DEFECT_BITS = (
-    12.0  # above the last bit of a state, which a step's defect adds to a narrower set in any number of pieces
-)
+_DEFECT_BITS = 12.0  # above a state's last bit: what a step's defect adds to narrower sets, however many its pieces
 _GROWTH_BITS = 6.0  # that a tube may be wider than the set before it; else shorter pieces are tried
 _LARGEST_EXPONENT = 600.0  # of a growth factor that doubles can hold
 

@@ -94,7 +94,7 @@ _CONSEQUENCES = {
     "3-sides": Consequence(
         Reach.CONCLUSION,
         "All b(0) are negative: the sentence holds for |b(0)| and fails for b(0).",
-        "Of two sets of initial values the sentence names the wrong one as the set of impacts.",
+        "Of two sets of initial values the sentence names the wrong one as that of impacts without a lift-off before.",
     ),
     "3-case-II": Consequence(
         Reach.CONCLUSION,
