@@ -51,8 +51,8 @@ def test_the_equations_by_hand_are_those_of_the_mechanism(file: Path) -> None:
     ],
 )
 def test_both_sides(file: Path, damping: fmpq, angle: str, speed: str, side: str, least: fmpq) -> None:
-    """Runs by hand from the start that is named, and from the state itself, at epsilon_0 and a tenth of it; the slip that
-    is lost."""
+    """Runs by hand from the start that is named, with the slip that is lost, and from the state itself, at epsilon_0
+    and a tenth of it."""
     rod, state = load(file, kd=damping), {"X": 0, "X_dot": 5, "th": angle, "th_dot": speed}
     found = with_own_state(with_chart(mechanism_side(rod, state), rod), rod, state)
     explicit, own = found.explicit, found.own
