@@ -113,7 +113,7 @@ def _locate(points: FloatArray, cover: _Cover) -> IndexArray:
 
 def _used(panels: IndexArray, total: int) -> IndexArray:
     """The panels that hold enough points."""
-    return np.flatnonzero(np.bincount(panels[panels >= 0], minlength=total)[:total] >= _LEAST_POINTS)
+    return np.flatnonzero(np.bincount(panels[(panels >= 0) & (panels < total)]) >= _LEAST_POINTS)
 
 
 def float_batch(points: FloatArray, beta: fmpq, derivative: int) -> tuple[FloatArray, FloatArray]:

@@ -188,6 +188,13 @@ def test_a_wrong_panel_costs_time_and_never_truth(monkeypatch: pytest.MonkeyPatc
     assert (right.lower <= found.upper).all()
 
 
+def test_points_beyond_all_panels_take_no_memory_for_panels() -> None:
+    far = np.array([1e12, -1e12, 1e11])
+    for answer in (theta_of_floats(far, "7/3"), theta_of_floats(far, "7/3", 1)):
+        assert np.isinf(answer.radius).tolist() == [True, False, True]
+    assert theta(-abs(far), "7/3", digits=20)[2].overlaps(theta(-(10**11), "7/3"))
+
+
 def test_arithmetic_that_is_not_ieee_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batch, "arithmetic_is_ieee", lambda: False)
     monkeypatch.setattr(batch, "horner", None)
