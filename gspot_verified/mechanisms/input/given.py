@@ -266,7 +266,6 @@ def lagrangian(
         tuple(read(entry, f"mass matrix entry ({i + 1}, {j + 1})") for j, entry in enumerate(row))
         for i, row in enumerate(mass_matrix)
     )
-    _check_symmetric(name, rows, read.state)
     right = read.all(forces, "force")
     motion = Lagrangian(read.state[:n], rows, right, _time(read, time), _constraints(name, read, constraints, n))
     return read.mechanism(motion, Contact(x, y, mu, slip_velocity, slip), place or {}, **options)
@@ -323,7 +322,6 @@ def from_energies(
         sum_of(applied[i], negative(losses[i]), minus(kinetic_slopes[i], slopes[i]), negative(along(glide, momenta[i])))
         for i in range(n)
     )
-    _check_symmetric(name, rows, read.state)
     motion = Lagrangian(read.state[:n], rows, right, _time(read, time), _constraints(name, read, constraints, n))
     return read.mechanism(motion, Contact(x, y, mu, slip_velocity, slip), place or {}, **options)
 
@@ -385,26 +383,3 @@ def _constraints(name: str, read: FormulaReader, formulas: Sequence[Formula], n:
 
 def _gradient(function: Expression, indices: range, m: int) -> list[Expression]:
     return simplified(*(partial_derivative(function, i, m) for i in indices))
-
-
-def _check_symmetric(name: str, rows: tuple[tuple[Expression, ...], ...], state: tuple[str, ...]) -> None:
-    for i, row in enumerate(rows):
-        for j in range(i):
-            if minus(row[j], rows[j][i]) is not ZERO:
-                _check_equal(name, row[j], rows[j][i], (i + 1, j + 1), state)
-
-
-def _check_equal(
-    name: str, below: Expression, above: Expression, place: tuple[int, int], state: tuple[str, ...]
-) -> None:
-    """Two entries of the mass matrix, in sympy: equal after they are multiplied out."""
-    import sympy
-
-    from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
-
-    first, second = to_sympy(below, state), to_sympy(above, state)
-    if sympy.expand(first - second) != 0:
-        i, j = place
-        raise MechanismError(
-            f"{name}: the mass matrix is not symmetric: entry ({i}, {j}) is {first}, entry ({j}, {i}) is {second}"
-        )

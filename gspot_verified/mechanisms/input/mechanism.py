@@ -16,11 +16,12 @@ from typing import Any
 from flint import fmpq
 
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
+from gspot_verified.functions.derivative import ZERO
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.formulas.rewriting import replaced
-from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant, rational_value
+from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant, minus, rational_value
 from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
 from gspot_verified.mechanisms.input.planar_links import PlanarLinks
 from gspot_verified.numbers.balls import ExactInput, exact
@@ -57,6 +58,8 @@ class Lagrangian:
 
     ``constraints`` are functions of q and t that vanish; their multipliers are solved for (index reduction: the
     second derivatives of the constraints vanish along every motion, at the G-spot they and their rates vanish).
+
+    :raises MechanismError: shapes that do not fit, or a mass matrix that is not symmetric.
     """
 
     coordinates: tuple[str, ...]
@@ -64,6 +67,31 @@ class Lagrangian:
     forces: tuple[Expression, ...]
     time: str | None
     constraints: tuple[Expression, ...] = ()
+
+    def __post_init__(self) -> None:
+        n, rows = len(self.coordinates), self.mass_matrix
+        if {n} != {len(rows), len(self.forces), *map(len, rows)}:
+            raise MechanismError(f"{n} coordinates need a mass matrix with {n} rows of {n} formulas, and {n} forces")
+        for i, row in enumerate(rows):
+            for j in range(i):
+                if minus(row[j], rows[j][i]) is not ZERO:
+                    self._check_equal(row[j], rows[j][i], (i + 1, j + 1))
+
+    @property
+    def state(self) -> tuple[str, ...]:
+        """The coordinates, their velocities, and the time where it is explicit."""
+        return (*self.coordinates, *(f"{q}_dot" for q in self.coordinates), *([self.time] if self.time else []))
+
+    def _check_equal(self, below: Expression, above: Expression, place: tuple[int, int]) -> None:
+        """Two entries of the mass matrix, in sympy: equal after they are multiplied out."""
+        import sympy
+
+        first, second = to_sympy(below, self.state), to_sympy(above, self.state)
+        if sympy.expand(first - second) != 0:
+            i, j = place
+            raise MechanismError(
+                f"the mass matrix is not symmetric: entry ({i}, {j}) is {first}, entry ({j}, {i}) is {second}"
+            )
 
 
 @dataclass(frozen=True)
@@ -115,6 +143,9 @@ class Mechanism(Shown):
     no part of what a mechanism is: two that differ in nothing else are equal. ``remarks`` say what a reader must know
     of how it came in. ``assumed``: pairs such as (parameter, "positive"), in sympy's words, where formulas were
     simplified under that.
+
+    :raises MechanismError: the contact has both or none of them, the state is not that of the motion, or a parameter
+        has not the value that was assumed.
     """
 
     name: str
@@ -134,6 +165,18 @@ class Mechanism(Shown):
     assumed: tuple[tuple[str, str], ...] = ()
     bodies: PlanarLinks | None = field(default=None, compare=False, repr=False)
 
+    def __post_init__(self) -> None:
+        motion, m = self.motion, len(self.state)
+        if (self.x is None) == (self.slip_velocity is None):
+            raise MechanismError(f"{self.name}: the contact needs either x or slip_velocity")
+        if isinstance(motion, Fields):
+            fits = {m} == {len(motion.F), len(motion.G_T), len(motion.G_N)}
+        else:
+            fits = self.state == motion.state
+        if not fits:
+            raise MechanismError(f"{self.name}: the state {', '.join(self.state)} is not that of the motion")
+        self._check_assumed()
+
     def __str__(self) -> str:
         parameters = ", ".join(name for name, _ in self.parameters) or "none"
         first = f"{self.name}: a mechanism with the state {', '.join(self.state)}; parameters: {parameters}"
@@ -151,9 +194,7 @@ class Mechanism(Shown):
                     f"{self.name} has no parameter {name!r}{nearest(name, known)}; it has: {', '.join(known) or 'none'}"
                 )
             known[name] = None if value is None else constant(exact_rational(value, name))
-        changed = replace(self, parameters=tuple(known.items()))
-        changed.check_assumed()
-        return changed
+        return replace(self, parameters=tuple(known.items()))
 
     def changed(self, **values: ExactInput | None) -> Mechanism:
         """As :meth:`with_parameters`; the name says which values are others.
@@ -166,7 +207,7 @@ class Mechanism(Shown):
         numbers = {word: rational_value(value) for word, value in other.parameters if value and value != before[word]}
         return replace(other, name=name_with(self.name, {word: str(number) for word, number in numbers.items()}))
 
-    def check_assumed(self) -> None:
+    def _check_assumed(self) -> None:
         """What formulas were simplified under holds for the values that parameters have.
 
         :raises MechanismError: it does not.

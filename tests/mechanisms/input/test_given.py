@@ -172,7 +172,7 @@ def test_what_is_none_is_refused_with_its_place(formula: Any, message: str) -> N
 
 def test_parameters_use_parameters_and_reference_angles_stay_out() -> None:
     read = reader(parameters={"m": 2, "k": "m + 1", "free": None})
-    found = read.mechanism(Fields((), (), ()), Contact("x", "v", "k"), {})
+    found = read.mechanism(Fields((V, X), (X, X), (X, X)), Contact("x", "v", "k"), {})
     assert found.parameters == (("m", constant(2)), ("k", sum_of(Symbol("m"), constant(1))), ("free", None))
     with pytest.raises(MechanismError, match="body: parameter k: unknown name 'x'"):
         reader(parameters={"k": "x"})
@@ -264,7 +264,7 @@ def test_negative_slip_turns_x_or_the_slip_velocity_and_the_tangential_field(vel
 
 def test_a_mass_matrix_has_no_tangential_field_to_turn() -> None:
     motion = Lagrangian(("x",), ((constant(1),),), (constant(0),), None)
-    found = reader().mechanism(motion, Contact("x", "x", 1, None, "negative"), {})
+    found = reader(("x", "x_dot")).mechanism(motion, Contact("x", "x", 1, None, "negative"), {})
     assert found.mirrored
     assert found.motion is motion
 

@@ -10,9 +10,18 @@ import pytest
 import sympy
 from flint import arb, fmpq
 
-from gspot_verified.mechanisms.formulas.simplify import constant
+from gspot_verified.functions.derivative import ONE
+from gspot_verified.functions.expressions import Variable
+from gspot_verified.mechanisms.formulas.simplify import constant, power_of, sum_of
 from gspot_verified.mechanisms.input.given import lagrangian
-from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, ReferenceAngle, exact_rational
+from gspot_verified.mechanisms.input.mechanism import (
+    Fields,
+    Lagrangian,
+    Mechanism,
+    MechanismError,
+    ReferenceAngle,
+    exact_rational,
+)
 
 
 def body(parameters: dict[str, Any] | None = None, **options: Any) -> Mechanism:
@@ -53,6 +62,35 @@ def test_values_use_each_other() -> None:
         body({"a": "1/b", "b": 0}).parameter_values()
     with pytest.raises(MechanismError, match="body: parameter a: a number grows beyond"):
         body({"a": "b^64", "b": "c^64", "c": "9^64"}).parameter_values()
+
+
+def test_parts_replaced_by_hand_must_fit() -> None:
+    made = body({"a": 1})
+    motion = made.motion
+    assert isinstance(motion, Lagrangian)
+    (first, second), forces = motion.mass_matrix, motion.forces
+    q, s = Variable(0), Variable(1)
+    whole, out = power_of(sum_of(q, s), fmpq(2)), sum_of(q * q, constant(2) * q * s, s * s)
+    assert replace(motion, mass_matrix=((ONE, whole), (out, ONE))).mass_matrix == ((ONE, whole), (out, ONE))
+    for rows in ((first, (ONE, second[1])), ((ONE, whole), (sum_of(out, constant(fmpq(1, 10**30))), ONE))):
+        with pytest.raises(MechanismError, match=r"not symmetric: entry \(2, 1\) is .*, entry \(1, 2\) is "):
+            replace(motion, mass_matrix=rows)
+    wrong: dict[str, Any]
+    for wrong in ({"mass_matrix": (first,)}, {"mass_matrix": (first, second, second)}, {"mass_matrix": (first, (ONE,))},
+                  {"forces": forces[:1]}, {"forces": (*forces, ONE)}):  # fmt: skip
+        with pytest.raises(MechanismError, match="2 coordinates need a mass matrix with 2 rows of 2 formulas, and 2"):
+            replace(motion, **wrong)
+    for x, slip_velocity in ((made.x, made.x), (None, None)):
+        with pytest.raises(MechanismError, match="body: the contact needs either x or slip_velocity"):
+            replace(made, x=x, slip_velocity=slip_velocity)
+    fields = Fields((ONE,) * 4, (ONE,) * 4, (ONE,) * 4)
+    assert replace(made, motion=fields).motion is fields
+    bad: dict[str, Any]
+    for bad in ({"state": made.state[::-1]}, {"state": (*made.state, "t")}, {"motion": replace(fields, G_T=(ONE,))}):
+        with pytest.raises(MechanismError, match=r"body: the state .* is not that of the motion"):
+            replace(made, **bad)
+    with pytest.raises(MechanismError, match="body: sympy's symbol a is assumed negative; its value is 1"):
+        replace(made, assumed=(("a", "negative"),))
 
 
 def test_a_reference_angle_lies_on_the_circle() -> None:
