@@ -368,5 +368,5 @@ ShownBall = Annotated[arb, ball_text]
 
 def rounded_text(value: float, direction: int, digits: int = 3) -> str:
     """So many significant digits, rounded down (direction -1) or up (1)."""
-    rounding = decimal.ROUND_FLOOR if direction < 0 else decimal.ROUND_CEILING
-    return f"{decimal.Context(prec=digits, rounding=rounding).create_decimal_from_float(value).normalize():g}"
+    context = decimal.Context(prec=digits, rounding=decimal.ROUND_FLOOR if direction < 0 else decimal.ROUND_CEILING)
+    return f"{context.normalize(context.create_decimal_from_float(value)):g}"

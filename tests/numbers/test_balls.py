@@ -54,6 +54,7 @@ from gspot_verified.numbers.balls import (
     is_exact,
     nonfinite,
     relative_bits,
+    rounded_text,
     series_length,
     shrink_to_bits,
     sign_of,
@@ -842,6 +843,17 @@ def test_the_text_does_not_depend_on_the_precision_in_force(value: arb, bits: in
     text = ball_text(value, digits)
     with working_bits(bits):
         assert ball_text(value, digits) == text
+
+
+@pytest.mark.parametrize("rounding", [decimal.ROUND_HALF_EVEN, decimal.ROUND_UP, decimal.ROUND_DOWN])
+def test_the_text_does_not_depend_on_the_users_decimals(rounding: str) -> None:
+    value = arb("0.0347", "0.0333")
+    texts = ball_text(value), rounded_text(12.3456, -1), rounded_text(12.3456, 1), rounded_text(-1234567.5, 1, 6)
+    assert texts == ("[0.00139, 0.0681]", "12.3", "12.4", "-1.23456e+6")
+    with decimal.localcontext(decimal.Context(prec=1, rounding=rounding, Emax=1, Emin=-1)):
+        assert texts == (
+            ball_text(value), rounded_text(12.3456, -1), rounded_text(12.3456, 1), rounded_text(-1234567.5, 1, 6)
+        )  # fmt: skip
 
 
 def test_fifteen_digits_when_nothing_is_said() -> None:

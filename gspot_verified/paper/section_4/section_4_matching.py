@@ -6,7 +6,8 @@ Positive quantities with real exponents enter by their logarithms: K = log κ, E
 
 from __future__ import annotations
 
-from decimal import ROUND_HALF_EVEN, Decimal
+from decimal import Decimal
+from fractions import Fraction
 
 from flint import arb, fmpq, fmpq_mpoly
 
@@ -237,7 +238,8 @@ def _table() -> Entry:
         error = _at(ALGEBRA.read(stated[name]), beta) - fmpq(*Decimal(text).as_integer_ratio())
         within.append(2 * abs(error) <= fmpq(*unit.as_integer_ratio()))
         exact = _at(derived_exponents()[name], beta)
-        rounded.append((Decimal(int(exact.p)) / int(exact.q)).quantize(unit, ROUND_HALF_EVEN) == Decimal(text))
+        places = Fraction(int(exact.p), int(exact.q)) / Fraction(unit)
+        rounded.append(round(places) * Fraction(unit) == Fraction(text))  # halves to even
     return SECTION.settled(
         "4-table",
         "tab:exponents(b)",
