@@ -263,20 +263,24 @@ def test_the_crossings_are_near_simple_zeros() -> None:
     assert ledger.CROSSINGS[BETAS[1]] < 0  # of two zeros that before the G-spot
 
 
-def test_times_between_two_small_epsilon(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("name", sorted(ledger.FORMULAS))
+def test_values_at_two_small_epsilon(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """By the certified values alone: the formula for the limit is not asked."""
     asked: list[Any] = []
 
-    def law(power: fmpq) -> Any:
+    def law(change: fmpq) -> Any:
         def value(name: str, beta: fmpq, epsilon: fmpq) -> arb:
             asked.append((name, beta, epsilon))
-            return arb(epsilon) ** arb(power)
+            return arb(epsilon) ** arb(ledger.formula(name, beta) + change)
 
         return value
 
-    monkeypatch.setattr(ledger, "value", law(fmpq(2, 3)))
-    assert ledger.times_follow() is True
-    assert set(asked) == {("t", beta, fmpq(1, 10**k)) for beta in BETAS for k in (14, 15)}
-    monkeypatch.setattr(ledger, "value", law(fmpq(3, 4)))
-    assert ledger.times_follow() is False
+    monkeypatch.delattr(ledger, "limit_exponent")
+    assert ledger.values_follow(name) is True
+    monkeypatch.setattr(ledger, "value", law(fmpq(0)))
+    assert ledger.values_follow(name) is True
+    assert set(asked) == {(name, beta, fmpq(1, 10**k)) for beta in BETAS for k in (13, 14)}
+    monkeypatch.setattr(ledger, "value", law(fmpq(1, 1000)))
+    assert ledger.values_follow(name) is False
     monkeypatch.setattr(ledger, "value", lambda *_: None)
-    assert ledger.times_follow() is None
+    assert ledger.values_follow(name) is None

@@ -78,7 +78,7 @@ def _theory(name: str) -> tuple[Tooth, ...]:
         return (
             Bite("factor", ledger.FORMULAS, "t", scaled),
             Bite("factor", ledger, "THEORETICAL", in_row(ledger.THEORETICAL, "t", first, last_digit)),
-            Bite("hidden factor", ledger, "value", with_power(fmpq(1, 1000), {fmpq(1, 10**15)})),
+            Bite("hidden factor", ledger, "value", with_power(fmpq(1, 1000), {fmpq(1, 10**14)})),
             Bite("hypothesis", ledger, "CROSSINGS", lambda honest: {**honest, last: fmpq(1, 1000)}),
             Bite("order", ledger, "value", with_power(fmpq(1))),
         )
@@ -86,6 +86,7 @@ def _theory(name: str) -> tuple[Tooth, ...]:
         Bite("factor", ledger.FORMULAS, name, scaled),
         Bite("factor", ledger, "THEORETICAL", in_row(ledger.THEORETICAL, name, last, lambda text: text + "9")),
         Bite("hidden factor", ledger.FORMULAS, name, lambda honest: f"{honest} + (beta-1/2)*(beta-3/2)/100"),
+        Bite("hidden factor", ledger, "value", with_power(fmpq(1, 1000), {fmpq(1, 10**14)})),
         Bite("hypothesis", ledger, "TINY", lambda _: fmpq(1, 10**6)),
         Bite("order", ledger, "limit_exponent", lambda honest: lambda *a: honest(*a) + 1),
     )
