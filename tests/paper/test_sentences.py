@@ -43,6 +43,7 @@ PROPERTIES = {
     "quickly": "quick|within",
     "nearly perfect": "nearly",
     "infinitely smooth": "smooth",
+    "smoothest": "smoothest",
     r"eventually\s+cause": "in the end",
     r"is very large": "very large",
     r"very large growth": "growth",

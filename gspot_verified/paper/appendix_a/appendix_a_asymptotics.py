@@ -197,10 +197,10 @@ def large_condition() -> Entry:
         ),
         corrected="With m = 0, 1, 2, ...: "
         + ", ".join(
-            f"eq. {LARGE_NAMES[int(j)]} holds exactly for β other than {text.replace('*', '')}"
-            for j, text in EXCEPTIONS.items()
+            f"eq. {LARGE_NAMES[int(j)]} needs β other than {text.replace('*', '')}" for j, text in EXCEPTIONS.items()
         ),
-        note="eq. tlarge fails at β = 0, 1, 2, ..., and nowhere else (A-tlarge). Proof: proofs/connection.md.",
+        note="That the formulas hold with these conditions: A-blarge1 to A-blarge3; eq. tlarge needs β other than "
+        "0, 1, 2, ... (A-tlarge). Proof: proofs/connection.md.",
     )
 
 

@@ -7,7 +7,7 @@ The series of epsilon of the simulations is not printed. A measured number is po
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 
