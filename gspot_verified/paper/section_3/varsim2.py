@@ -38,10 +38,10 @@ FASTER = (fmpq(200), fmpq(1000))
 """Initial slip velocities that are "large enough" for ν = 4, too."""
 ALGEBRA = Algebra("u p b y v z lam alpha1 alpha2 alpha3 chi")
 SLIP = {
-    "u": "-lam", "p": "alpha1 + chi*b", "b": "alpha2 - alpha3*lam", "y": "v", "v": "b + p*lam", "z": "-z - lam",
+    "u": "-lam", "p": "alpha1 + chi*b", "b": "alpha2 - alpha3*lam", "y": "v", "v": "b + p*lam", "z": "-z - (z - y)",
     "lam": "z - y",
 }  # fmt: skip
-"""The rates of udot and newex1 to newex5 in slip with the constants of newex6, that of z times ε, and ε² λ_N."""
+"""The rates of udot and newex1 to newex5 in slip with the constants of newex6, that of z times ε; last ε² λ_N."""
 AT_SPOT = START
 """The time after the start at which p = 0 for χ = 0: p falls from START at the rate 1."""
 _NEAR = fmpq(1, 10**9)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from paper.typed.row import CONSTANTS, Names, Row, difference, of_side
 
 from gspot_verified.paper.section_1 import section_1_negative_p, section_1_rigid, section_1_sentences
-from gspot_verified.paper.section_2 import general_system, section_2_contact, section_2_sentences
-from gspot_verified.paper.section_3 import section_3_captions
+from gspot_verified.paper.section_2 import general_system, no_trivial_solution, section_2_contact, section_2_sentences
+from gspot_verified.paper.section_3 import section_3_captions, varsim2
 from gspot_verified.paper.section_4 import section_4_inner, section_4_unique
-from gspot_verified.paper.section_5 import section_5_recursion
+from gspot_verified.paper.section_5 import section_5_recursion, section_5_smoothest
 from gspot_verified.paper.section_6 import section_6_sentences
 
 _AS_FUNCTIONS = CONSTANTS | {rf"\alpha_{k}(\xi)": f"a{k}" for k in (1, 2, 3)} | {r"F(\xi)": "f", r"G(\xi)": "g"}
@@ -104,6 +104,31 @@ def _model_again() -> list[Row]:
     return [*found, Row("1-negative-p", "dv/dt", slip, 495, 496, 0, of_side(1), CONSTANTS | {r"\lambda_N": "l"})]
 
 
+def _slip_again() -> list[Row]:
+    """The extended example in positive slip, c = 1, and rigid slip, where other files hold them."""
+    # The constants of eq. newex6; λ_N in a rate, (z - y)/ε² in that of z.
+    slip = CONSTANTS | {"c": "1", "p^-": "1", "a": "0", "k^+": "0-1", "k^-": "2"}
+    slip |= {r"\lambda^+": "lam", r"\lambda^-": "0"}
+    flow, force = varsim2.SLIP, {r"\lambda_N": "((z-y)/epsilon^2)"}
+    found = [Row("3-large-slip", "u", flow, 650, 652, 0, of_side(1), slip)]
+    found += [
+        Row("3-large-slip", name, flow, line, line, 0, of_side(1), slip | (force if name == "z" else {}))
+        for name, line in zip("pbyvz", (669, 670, 672, 673, 674), strict=True)
+    ]
+    rates = no_trivial_solution.RATES | {"v": no_trivial_solution.BALANCE}
+    constant = slip | {r"\lambda_N": "L"}
+    found += [
+        Row("2-no-trivial", name, rates, line, line, 0, of_side(1), constant)
+        for name, line in zip("pbv", (669, 670, 673), strict=True)
+    ]
+    names = CONSTANTS | {rf"\alpha_{{{k}}}": f"alpha{k}" for k in (1, 2, 3)}
+    rigid = section_5_smoothest.SLIP
+    return found + [
+        Row("5-smoothest-graph", name, rigid, line, line, 0, of_side(1), names)
+        for name, line in (("p", 253), ("b", 254))
+    ]
+
+
 def _two_forces() -> list[Row]:
     names = CONSTANTS | {"k^+": "kplus", "k^-": "kminus", r"\lambda^+": "lp", r"\lambda^-": "lm"}
     shares, extended = section_2_sentences.SHARES, section_2_sentences.EXTENDED
@@ -167,6 +192,6 @@ def _oscillator() -> list[Row]:
 
 
 ROWS = [
-    *_projected(), *_defined(), *_contact(), *_model_again(),
+    *_projected(), *_defined(), *_contact(), *_model_again(), *_slip_again(),
     *_two_forces(), *_inner_scale(), *_general(), *_oscillator(),
 ]  # fmt: skip
