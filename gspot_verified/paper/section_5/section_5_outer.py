@@ -1,6 +1,6 @@
 """Ledger of Section 5, the outer system: its fast and its slow part.
 
-yd, vd, zd are ε times the derivatives of y_o, v_o, z_o in t.
+xd, pd, bd are the derivatives of ξ, p, b in t, and yd, vd, zd ε times those of y_o, v_o, z_o.
 """
 
 from __future__ import annotations
@@ -15,12 +15,15 @@ from gspot_verified.paper.section_5 import section_5_recursion
 SECTION = Section("Section 5, outer system and matching")
 ALGEBRA = Algebra(
     "alpha1 alpha2 alpha3 beta epsilon delta kappa s tau p b y v z lam q G F K w T "
-    "yd vd zd g0 g1 g2 g3 h0 h1 h2 h3 x1 chi a2 a3 d2 d3 c0"
+    "xd pd bd yd vd zd f g a1 g0 g1 g2 g3 h0 h1 h2 h3 x1 chi a2 a3 d2 d3 c0"
 )
 _SYMBOLS = ALGEBRA.symbols
 _ZERO, _ONE = ALGEBRA.constant(0), ALGEBRA.constant(1)
 PRINTED: dict[str, dict[str, str]] = {
-    "5-outer-system": {"y": "v", "v": "b + p*lam", "z": "-z - lam", "lambda": "z - y"},
+    "5-outer-system": {
+        "xi": "f + g*lam", "p": "a1", "b": "a2 - a3*lam",
+        "y": "v", "v": "b + p*lam", "z": "-z - lam", "lambda": "z - y",
+    },
     "5-fast-system": {"y": "v", "v": "-p*y + p*z", "z": "y - 2*z"},
     "5-fast-polynomial": {"polynomial": "lam^3 + 2*lam^2 + p*lam + p"},
     "5-slow-manifold": {
@@ -28,6 +31,7 @@ PRINTED: dict[str, dict[str, str]] = {
     },
 }  # fmt: skip
 OUTER_LINES = {
+    "xi": ("specialX", "xd", 0, 0), "p": ("specialPP", "pd", 0, 0), "b": ("specialB", "bd", 0, 0),
     "y": ("specialY", "yd", 1, 1), "v": ("specialV", "vd", 0, 2),
     "z": ("specialZ", "zd", 2, 0), "lambda": ("specialL", "lam", 2, 0),
 }  # fmt: skip
@@ -39,7 +43,7 @@ IN_OUTER = {
 """y, v, z and their derivatives in t by the outer variables (line 1926)."""
 IN_INNER = {
     "b": "delta^2*b0", "p": "delta^2*p", "y": "y0", "v": "delta*v0", "z": "z0",
-    "yd": "delta*y1", "vd": "delta^2*v1", "zd": "delta*z1",
+    "xd": "xi1", "pd": "p1", "bd": "b1", "yd": "delta*y1", "vd": "delta^2*v1", "zd": "delta*z1",
 }  # fmt: skip
 """The outer variables by those of the inner scale, δ³ = ε: ε d/dt is δ d/ds."""
 CORRECTED: dict[str, dict[str, str]] = {"5-fast-system": {"v": "-p*y + p*z + b"}}
@@ -80,10 +84,11 @@ def _outer_system() -> Entry:
     return SECTION.settled(
         "5-outer-system",
         "lines 1926 to 1935",
-        r"\epsilon\dot y_o=v_o,\ \epsilon\dot v_o=b+p\lambda_N,\ \epsilon\dot z_o=-z_o-\lambda_N,\ \lambda_N=z_o-y_o",
-        "The outer variables turn genSysY to genSysLN into a fast-slow system",
-        this.check("ε² y_o, ε v_o, ε² z_o put into genSysY to genSysLN", general),
-        this.check("from the inner form specialY to specialL", inner),
+        r"\dot\xi=F+G\lambda_N,\ \dot p=\alpha_1,\ \dot b=\alpha_2-\alpha_3\lambda_N,"
+        r"\ \epsilon\dot y_o=v_o,\ \epsilon\dot v_o=b+p\lambda_N,\ \epsilon\dot z_o=-z_o-\lambda_N,\ \lambda_N=z_o-y_o",
+        "The outer variables turn genSysXi to genSysLN into the printed fast-slow system",
+        this.check("ε² y_o, ε v_o, ε² z_o put into genSysXi to genSysLN", general),
+        this.check("from the inner form specialX to specialL", inner),
     )
 
 

@@ -181,8 +181,9 @@ def _section_5() -> list[Row]:
         | {r"F(\xi)": "F", r"G(\xi)": "G"}
         | {rf"\alpha_{k}(\xi)": f"alpha{k}" for k in (1, 2, 3)}
     )
-    for part, line in (("y", 1931), ("v", 1932), ("z", 1933), ("lambda", 1934)):
-        found += rows("5-outer-system", system, slow, (part, line, line, 0, of_side(1)))
+    outer = slow | {r"F(\xi)": "f", r"G(\xi)": "g"} | {rf"\alpha_{k}(\xi)": f"a{k}" for k in (1, 2, 3)}
+    for k, part in enumerate(("xi", "p", "b", "y", "v", "z", "lambda")):
+        found += rows("5-outer-system", system, outer, (part, 1928 + k, 1928 + k, 0, of_side(1)))
     for row, part in enumerate("yvz"):
         found.append(
             Row(

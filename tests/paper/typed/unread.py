@@ -19,6 +19,13 @@ UNREAD: dict[int, str] = {
     2418: "c_0 = 1: held as the first of computed coefficients",
 }
 """Displays by their first line, and why none of their formulas is compared."""
+UNREAD_LINES: dict[int, str] = {
+    **dict.fromkeys((538, 581), "no force out of contact: held as code"),
+    1125: "the branch t >= 0, which is that of t <= 0 for -t",
+    **dict.fromkeys((1262, 1263), "words: held as signs"),
+    **dict.fromkeys((2141, 2144), "ξ and F: held as code"),
+}
+"""Lines of displays that are compared elsewhere, and why these are not."""
 UNTYPED: dict[tuple[str, str], str] = {
     **{("4-roots-sum", part): IN_A_SENTENCE for part in ("sum", "product")},
     **{("1-beta", part): IN_A_SENTENCE for part in ("numerator", "denominator")},
