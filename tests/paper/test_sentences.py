@@ -55,6 +55,7 @@ PROPERTIES = {
     r"diverges\s+to\s+\$-": "-∞",
     "special polynomial classes": r"y_\(n-4\)",
     "three freedoms": "three freedoms",
+    r"plays the role": "role",
     "transitions from slip": "transition",
     "further into": "further into",
     "is conceivable that in": "can be",
