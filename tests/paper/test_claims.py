@@ -48,6 +48,7 @@ RESTRICTIONS = {
     "at most of the sizes": r"at most|O\(|leading order, where",
     "defined for p < 0 too": "p < 0|p = 0 is reached",
     "analytic functions": "analytic functions",
+    "corrected sign of G": "sign of (?:its )?G",
     "far from rest": "far from rest",
     "slip being positive": "positive there too",
     r"C_1, α_2 not 0": "α_2 not 0|mean force|fixed τ",

@@ -138,6 +138,11 @@ def _place() -> Entry:
     )
 
 
+def _by_the_sign_of_g(name: str) -> str:
+    """The condition of what changes its sign with G: p, α_1 and α_3."""
+    return ", with the corrected sign of G (6-sign-of-G)" if name in ("p", "alpha_1", "alpha_3") else ""
+
+
 def _value(name: str) -> Entry:
     lie, motion = oscillator.by_lie_derivatives(), oscillator.by_the_motion()
     this = _claim(f"6-{name}")
@@ -151,7 +156,8 @@ def _value(name: str) -> Entry:
         f"6-{name}",
         f"line {lines}",
         f"{_LATEX[name]}^*={text}",
-        f"The printed {name.replace('alpha', 'α')} is that of the oscillator at its G-spot, for all β, κ, m_1, l, g",
+        f"The printed {name.replace('alpha', 'α')} is that of the oscillator at its G-spot, for all β, κ, m_1, l, g"
+        f"{_by_the_sign_of_g(name)}",
         this.check(
             "Lie derivatives of y along F and G, with the inverse of M",
             lambda parts: differs(parts["value"] - lie[name]),
@@ -208,7 +214,8 @@ def _decimals() -> Entry:
         "6-decimals",
         "lines 2190 to 2191",
         r"\alpha_1^*=-0.4289,\ \alpha_2^*=-1.8764,\ \alpha_3^*=-1.0008",
-        "For β = 7/3, κ = 0 the printed decimals are the α's, rounded, and the oscillator is in Case III",
+        "For β = 7/3, κ = 0 the printed decimals are the α's, rounded, and the oscillator is in Case III"
+        f"{_by_the_sign_of_g('alpha_1')}",
         Rung.EXACT.check(
             "the printed functions of β and κ, rounded; α_2 < 0 and α_3 < α_1 < 0",
             rounded(printed) and in_case_iii(*printed.values()),
@@ -237,7 +244,7 @@ def _formula(name: str) -> Entry:
         f"lines {lines}",
         rf"{_LATEX[name]}(\phi,\psi,\dot\phi,\dot\psi)=\ldots",
         f"The {name.replace('alpha', 'α')} of Appendix B is that of the oscillator, in every state and for all "
-        "parameters",
+        f"parameters{_by_the_sign_of_g(name)}",
         this.check(
             "Lie derivatives of y along F and G, with the inverse of M",
             lambda parts: [normal(parts["formula"] - lie[name]), *oscillator.determinant_is_right()],
