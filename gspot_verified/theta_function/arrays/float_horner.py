@@ -6,7 +6,6 @@ Proof page: ``proofs/float_horner.md``.
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -68,23 +67,25 @@ def float_polynomial(polynomial: arb_poly) -> FloatPolynomial:
     return FloatPolynomial(tuple(coefficients), error * ROUNDED_UP, constant, slope)
 
 
-@lru_cache(maxsize=1)
+def _both_signs(values: list[float]) -> FloatArray:
+    return np.array([values, [-value for value in values]])
+
+
+# Their sums and products, rounded to nearest, ties to even; all that stands here is exact.
+_TERMS = _both_signs([1.0, 1.0 + 2 * UNIT, 1.0]), _both_signs([UNIT, UNIT, UNIT * (1.0 + 2 * UNIT)])
+_SUMS = _both_signs([1.0, 1.0 + 4 * UNIT, 1.0 + 2 * UNIT])
+_FACTORS = _both_signs([1.0 + 2.0**-30, 1.0 + 2.0**-27]), np.array([1.0 + 2.0**-30, 1.0 + 2.0**-26])
+_PRODUCTS = _both_signs([1.0 + 2.0**-29, 1.0 + 2.0**-26 + 2.0**-27])
+
+
 def arithmetic_is_ieee() -> bool:
-    """Whether numpy rounds sums and products of doubles to nearest, ties to even, and only once.
+    """Whether numpy rounds sums and products of doubles to nearest, ties to even, and only once: here and now, as each
+    thread may change it.
 
     The bound stands on it. Other rounding directions, and intermediate results of more bits, show in these cases.
     """
-    signs = np.array([1.0, -1.0])
-    half, one_bit = signs * UNIT, signs * 2 * UNIT
-    above_half = np.nextafter(half, signs)
-    factor = signs + signs * 2.0**-30
-    return bool(
-        ((signs + half) == signs).all()
-        and (((signs + one_bit) + half) == signs + 2 * one_bit).all()
-        and ((signs + above_half) == signs + one_bit).all()
-        and ((factor * (1 + 2.0**-30)) == signs + signs * 2.0**-29).all()
-        and ((signs + signs * 2.0**-27) * (1 + 2.0**-26) == signs + signs * (2.0**-26 + 2.0**-27)).all()
-    )
+    sums, products = _TERMS[0] + _TERMS[1], _FACTORS[0] * _FACTORS[1]
+    return bool((sums == _SUMS).all() and (products == _PRODUCTS).all())
 
 
 def horner(

@@ -96,19 +96,49 @@ def test_a_point_beyond_the_panel_is_not_accepted() -> None:
     assert not accepted(np.array([np.nan]))[0]
 
 
-def test_arithmetic_that_rounds_otherwise_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+class _Other(np.ndarray):
+    """Rounds otherwise: ``towards`` is where every result moves by one double; a sum, a product, or both."""
+
+    towards, kinds = np.inf, ("sum", "product")
+
+    def __add__(self, other: object) -> np.ndarray:
+        return self._moved(np.asarray(self) + np.asarray(other), "sum")
+
+    def __mul__(self, other: object) -> np.ndarray:
+        return self._moved(np.asarray(self) * np.asarray(other), "product")
+
+    def _moved(self, result: np.ndarray, kind: str) -> np.ndarray:
+        return np.nextafter(result, self.towards) if kind in self.kinds else result
+
+
+@pytest.mark.parametrize("towards", [np.inf, -np.inf, 0.0])
+@pytest.mark.parametrize("kind", ["sum", "product"])
+def test_arithmetic_that_rounds_otherwise_is_noticed_whenever_it_does(
+    monkeypatch: pytest.MonkeyPatch, towards: float, kind: str
+) -> None:
     assert arithmetic_is_ieee()
-
-    class Upward(np.ndarray):  # rounds every sum up
-        def __add__(self, other: object) -> np.ndarray:
-            return np.nextafter(np.asarray(self) + np.asarray(other), np.inf)
-
-    arithmetic_is_ieee.cache_clear()
-    monkeypatch.setattr(float_horner.np, "array", lambda values: np.asarray(values).view(Upward))
+    for name in ("_TERMS", "_FACTORS"):
+        first, second = getattr(float_horner, name)
+        monkeypatch.setattr(float_horner, name, (first.view(_Other), second))
+    monkeypatch.setattr(_Other, "towards", towards)
+    monkeypatch.setattr(_Other, "kinds", (kind,))
     assert not arithmetic_is_ieee()
     monkeypatch.undo()
-    arithmetic_is_ieee.cache_clear()
     assert arithmetic_is_ieee()
+
+
+def test_sums_and_products_are_rounded_as_the_bound_supposes() -> None:
+    for (left, right), made, operation in (
+        (float_horner._TERMS, float_horner._SUMS, Fraction.__add__),
+        (float_horner._FACTORS, float_horner._PRODUCTS, Fraction.__mul__),
+    ):
+        up, down = 0, 0
+        for a, b, c in zip(*np.broadcast_arrays(left.ravel(), np.resize(right, left.size), made.ravel()), strict=True):
+            off = operation(Fraction(float(a)), Fraction(float(b))) - Fraction(float(c))
+            assert 0 < abs(off) <= Fraction(1, 2**53)
+            up, down = up + (off < 0), down + (off > 0)
+        assert up
+        assert down
 
 
 def test_where_theta_overflows_a_double_the_radius_is_infinite() -> None:
