@@ -56,6 +56,7 @@ PROPERTIES = {
     "special polynomial classes": r"y_\(n-4\)",
     "three freedoms": "three freedoms",
     r"plays the role": "role",
+    r"in the same way": "induction of",
     "transitions from slip": "transition",
     "further into": "further into",
     "is conceivable that in": "can be",
