@@ -116,6 +116,7 @@ def _used(panels: IndexArray, total: int) -> IndexArray:
     return np.flatnonzero(np.bincount(panels[(panels >= 0) & (panels < total)]) >= _LEAST_POINTS)
 
 
+@np.errstate(all="ignore")  # what is not finite is left to balls, what underflows is in the bounds
 def float_batch(points: FloatArray, beta: fmpq, derivative: int) -> tuple[FloatArray, FloatArray]:
     """Midpoints and radii of d^k Theta/dtau^k at every point, relative radius 10^-15 where doubles reach it.
 
@@ -129,8 +130,7 @@ def float_batch(points: FloatArray, beta: fmpq, derivative: int) -> tuple[FloatA
     if not (is_tame(beta) and len(points) >= _LEAST_POINTS and arithmetic_is_ieee()):
         left = np.arange(len(points))
     else:
-        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is left to balls
-            left = _in_doubles(points, kept_panels(int(beta.p), int(beta.q), derivative), results)
+        left = _in_doubles(points, kept_panels(int(beta.p), int(beta.q), derivative), results)
         if len(left) >= _LEAST_POINTS and np.abs(points[left]).max() <= FARTHEST_OF_ONE_POLYNOMIAL:
             values = _by_one_polynomial(points[left], beta, derivative, bits_for_digits(DOUBLE_DIGITS))
             left = _filled(results, left, *float_balls(values))

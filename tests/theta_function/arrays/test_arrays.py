@@ -188,6 +188,17 @@ def test_a_wrong_panel_costs_time_and_never_truth(monkeypatch: pytest.MonkeyPatc
     assert (right.lower <= found.upper).all()
 
 
+@pytest.mark.parametrize("beta", [1, "7/3", "-3/2"])
+def test_who_lets_numpy_raise_gets_the_same_values(beta: Any) -> None:
+    tau = np.array([5e-324, 1e-310, -1e-320, 0.0, 1.5, -7.25])
+    for _ in range(2):  # the second time by panels that are kept
+        with np.errstate(all="raise"):
+            raising = theta_of_floats(tau, beta)
+        assert np.isfinite(raising.radius).all()
+        plain = theta_of_floats(tau, beta)
+        assert (abs(raising.midpoint - plain.midpoint) <= raising.radius + plain.radius).all()
+
+
 def test_points_beyond_all_panels_take_no_memory_for_panels() -> None:
     far = np.array([1e12, -1e12, 1e11])
     for answer in (theta_of_floats(far, "7/3"), theta_of_floats(far, "7/3", 1)):
