@@ -115,7 +115,7 @@ def side_rule(model: CompliantModel, state: CompliantState, digits: int = 15) ->
             slow = None if slow is None else slow * size
             fast = None if fast is None else fast * arb(size)
             side = side * size
-        if sign_of(side) not in (None, 0):
+        if sign_of(side) is not None:  # 0 too: more bits would not say more
             break
     return SideRule(hats, slow, fast, side, _verdict(side))
 
@@ -158,4 +158,5 @@ def _verdict(side: arb) -> Verdict:
         return Verdict.proved("K < 0: contact is lost at a finite time", negative)
     if (positive := less(0, side)) is not None:
         return Verdict.proved("K > 0: contact may last; necessary for an impact without collision", positive)
-    return Verdict.undecided("the sign of K", Reason.BUDGET, f"K = {ball_text(side)}: K = 0 is the canard")
+    reason = Reason.BEYOND if sign_of(side) == 0 else Reason.BUDGET
+    return Verdict.undecided("the sign of K", reason, f"K = {ball_text(side)}: K = 0 is the canard")

@@ -23,10 +23,11 @@ _GREEK = (
 )  # fmt: skip
 
 SCALES = (
-    "s = t/epsilon^(2/3), delta = epsilon^(1/3); t is the mechanism's time, p = 0 at t = 0",
+    "s = t/epsilon^(2/3), delta = epsilon^(1/3); t is the time, in the mechanism's unit, and 0 where p = 0",
     "epsilon scales the contact: stiffnesses k_1/epsilon^2 and k_2/epsilon^2, damper c/epsilon (the paper's: "
     "k_1 = k_2 = c = 1), in the mechanism's units; a star marks values at the G-spot",
-    "p, b, y, v, z, lambda_n are the paper's: y'' = b + p lambda_n, y and v gap and gap rate, z the damper's place",
+    "p, b, y, v, z, lambda_n without a star are the paper's: y'' = b + p lambda_n, y and v gap and gap rate, "
+    "z the damper's place",
     "C_1 = 0 here: other slow trajectories have b - (this b) ~ C_1 (-t)^beta as t -> -infinity, "
     "C_1 in the unit of b over that of t^beta",
 )

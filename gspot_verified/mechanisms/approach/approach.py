@@ -466,6 +466,7 @@ class _Attempt:
             supposed=self.start.supposed,
             fast_exponent=self._fast_exponent(path) if end == "G-spot" and self.goal is None else None,
             spot=tuple(place) if end == "G-spot" else (),
+            other_names=self.programs.other_names,
         )
 
     def _texts(self, values: list[arb]) -> tuple[tuple[str, str], ...]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
 from flint import arb
 
+from gspot_verified.mechanisms.derive.component_names import component
 from gspot_verified.mechanisms.spots.classify import case_text
 from gspot_verified.numbers.balls import ShownBall, ball_text, float_bounds, rounded_text
 from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
@@ -55,7 +57,8 @@ class Approach(NoTruthValue, Written):
     at the start is left at the G-spot; a float, no bound.
     ``spot`` encloses the G-spot as numbers, angles counted from their references; empty where there is none.
     ``surface`` is the velocity of the surface, 0 where none was given; None where nothing is asked of u. What was
-    proved holds for each velocity in a ball; ``surface_velocity`` is then an interval in it.
+    proved holds for each velocity in a ball; ``surface_velocity`` is then an interval in it. ``other_names``: of the
+    components whose names statements use for something else.
     """
 
     written: ClassVar[str] = (
@@ -85,6 +88,7 @@ class Approach(NoTruthValue, Written):
     fast_exponent: float | None = None
     spot: tuple[arb, ...] = ()
     surface: arb | None = None
+    other_names: frozenset[str] = frozenset()
 
     @property
     def on_surface(self) -> str:
@@ -93,6 +97,10 @@ class Approach(NoTruthValue, Written):
             return ""
         relation = "in" if str(self.surface_velocity).startswith("[") else "="
         return f"on a surface with the velocity u {relation} {self.surface_velocity}"
+
+    def components(self, values: Sequence[tuple[str, str]]) -> str:
+        """Values of components in words; a name that statements use for something else is said to be a component's."""
+        return ", ".join(f"{component(word, self.other_names)} = {value}" for word, value in values)
 
     @property
     def rests_on(self) -> str:
@@ -106,16 +114,17 @@ class Approach(NoTruthValue, Written):
         return 0 if self.verdict.outcome is Outcome.PROVED and not open_side else 2
 
     def __str__(self) -> str:
-        lines = [f"{self.name}: slip from " + ", ".join(f"{word} = {value}" for word, value in self.start)]
+        lines = [f"{self.name}: slip from {self.components(self.start)}"]
         if self.solved:
-            lines.append(f"  {' and '.join(self.solved)} from y = 0 and v = 0")
+            solved = " and ".join(component(word, self.other_names) for word in self.solved)
+            lines.append(f"  {solved} from y = 0 and v = 0")
         lines.append(f"  {self.verdict}")
         if self.on_surface:
             lines.append(f"  {self.on_surface}")
         if self.time is not None:
             lines.append(f"  after the time t = {ball_text(self.time)}")
         if self.place:
-            lines.append(f"  {self._where()}: " + ", ".join(f"{word} = {value}" for word, value in self.place))
+            lines.append(f"  {self._where()}: {self.components(self.place)}")
         if self.alphas is not None:
             names = ("alpha_1", "alpha_2", "alpha_3")
             lines.append(

@@ -24,6 +24,7 @@ from gspot_verified.functions.derivative import rewritten
 from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.mechanisms.approach.approach_plan import state_to_start_from
 from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide
+from gspot_verified.mechanisms.derive.component_names import component, names_of_other_things
 from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.derive.slip_loss import SlipLoss
 from gspot_verified.mechanisms.derive.to_system import Shifted
@@ -89,11 +90,12 @@ def restricted(place: GSpot, active: Sequence[int]) -> System:
     scalars = (whole.y, whole.v, whole.p, whole.b, whole.alpha_1, whole.alpha_2, whole.alpha_3)
     functions = [*(whole.F[i] for i in active), *(whole.G[i] for i in active), *scalars]
     table: dict[Expression, Expression] = {Variable(i): Variable(k) for k, i in enumerate(active)}
-    named = rewritten(functions, lambda node: table[node] if isinstance(node, Variable) else None)
-    own = [named[function] for function in functions]
+    own_functions = rewritten(functions, lambda node: table[node] if isinstance(node, Variable) else None)
+    own = [own_functions[function] for function in functions]
     y, v, p, b, first, second, third = own[2 * len(active) :]
     references = {angle.coordinate: angle.name for angle in mechanism.angles}
-    words = [mechanism.state[i] for i in active]
+    others = names_of_other_things(place.shifted)
+    named = [(word, component(word, others)) for word in (mechanism.state[i] for i in active)]
     return System(
         name=whole.name,
         F=tuple(own[: len(active)]),
@@ -108,7 +110,7 @@ def restricted(place: GSpot, active: Sequence[int]) -> System:
         J=(),
         point=tuple(whole.point[i] for i in active),
         ring=whole.ring,
-        state=tuple(f"{word} - {references[word]}" if word in references else word for word in words),
+        state=tuple(f"{name} - {references[word]}" if word in references else name for word, name in named),
         regularisation=whole.regularisation,
     )
 

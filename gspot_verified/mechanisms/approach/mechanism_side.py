@@ -86,7 +86,7 @@ class MechanismSide(NoTruthValue, Written):
         found = self.approach
         lines = [str(self.verdict)]
         if found.end == "G-spot":
-            lines.append("  the G-spot: " + ", ".join(f"{word} = {value}" for word, value in found.place))
+            lines.append(f"  the G-spot: {found.components(found.place)}")
         if found.case in ("I", "II", "III") and found.beta is not None:
             lines.append(f"  Case {found.case}, beta = {ball_text(found.beta)}")
         if found.coefficient is not None:
@@ -201,7 +201,6 @@ class _Open:
 
 def _statement(mechanism: Mechanism, found: Approach) -> str:
     springs = mechanism.regularisation
-    state = ", ".join(f"{word} = {value}" for word, value in found.start)
     surface = (
         " on any surface whose constant velocity is below u on the whole way, the G-spot included"
         if found.surface_velocity is None
@@ -218,9 +217,9 @@ def _statement(mechanism: Mechanism, found: Approach) -> str:
         )
     return (
         f"{mechanism.name} with {contact_text(springs)}{surface}: for every family of starts in contact that tends to "
-        f"{state}, on the contact, as epsilon -> 0, with y/epsilon^2, v/epsilon, lambda_N bounded{below}, and every "
-        "force Lambda, there is an epsilon_0 > 0 such that for every 0 < epsilon <= epsilon_0 contact and positive "
-        "slip last until p < 0, and then, in positive slip,"
+        f"{found.components(found.start)}, on the contact, as epsilon -> 0, with y/epsilon^2, v/epsilon, lambda_N "
+        f"bounded{below}, and every force Lambda, there is an epsilon_0 > 0 such that for every 0 < epsilon <= "
+        "epsilon_0 contact and positive slip last until p < 0, and then, in positive slip,"
     )
 
 

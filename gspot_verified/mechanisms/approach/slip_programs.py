@@ -7,6 +7,7 @@ from functools import cached_property, lru_cache
 
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
+from gspot_verified.mechanisms.derive.component_names import names_of_other_things
 from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.numbers.balls import current_bits
@@ -16,11 +17,13 @@ _KEPT = 8  # mechanisms and precisions
 
 @dataclass(frozen=True)
 class SlipPrograms:
-    """The flow, its values on boxes, and the hypotheses; nothing of any state."""
+    """The flow, its values on boxes, the hypotheses, and components that are called like something else; nothing of any
+    state."""
 
     flow: SlipFlow
     numbers: SlipNumbers
     hypotheses: SlipHypotheses
+    other_names: frozenset[str]
 
     @cached_property
     def desingularised(self) -> VectorField:
@@ -51,4 +54,4 @@ def slip_programs(shifted: Shifted) -> SlipPrograms:
 @lru_cache(_KEPT)
 def _at_precision(shifted: Shifted, bits: int) -> SlipPrograms:  # noqa: ARG001
     flow = SlipFlow.of(shifted)
-    return SlipPrograms(flow, SlipNumbers(flow), SlipHypotheses(shifted))
+    return SlipPrograms(flow, SlipNumbers(flow), SlipHypotheses(shifted), names_of_other_things(shifted))

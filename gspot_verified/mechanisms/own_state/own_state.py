@@ -147,7 +147,7 @@ class _Question:
 
     def _starts(self, epsilon: fmpq) -> str:
         contact = self.shifted.mechanism.regularisation
-        state = ", ".join(f"{word} = {value}" for word, value in self.found.approach.start)
+        state = self.found.approach.components(self.found.approach.start)
         surface = f" {self.found.approach.on_surface}".rstrip()
         return (
             f"{self.shifted.mechanism.name} with {contact_text(contact)}{surface}: every start in contact with each "

@@ -21,7 +21,7 @@ def rates(terms: Terms) -> dict[str, Expression]:
 
 EFFECT = Effect(
     "compliant_contact",
-    "a rigid surface: the contact force is b/|p|, and nothing is said of the motion once p <= 0",
+    "a rigid surface: the contact force is -b/p, and nothing is said of the motion once p <= 0",
     states=States(("Y", "V", "Z"), rates),
     parameters={"k_1": fmpq(1), "k_2": fmpq(1), "damping": fmpq(1)},
 )

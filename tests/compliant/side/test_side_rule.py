@@ -155,6 +155,7 @@ def test_sides_of_the_paper_s_runs(beta: str, nu: str, epsilon: str, sign: int, 
 def test_the_trivial_solution_is_the_canard() -> None:
     found = side_rule(*paper_state("5/2", "1/100", fmpq(1)))
     assert found.verdict.outcome is Outcome.UNDECIDED
+    assert found.verdict.reason is Reason.BEYOND  # K is exactly 0: no budget has ended
     assert found.paper_differs is None
     with pytest.raises(TypeError, match="verdict"):
         bool(found)
