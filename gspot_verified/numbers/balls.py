@@ -2,7 +2,8 @@
 
 This module is the one owner of flint's global context. The rules it keeps:
 
-- the working precision is set only by :class:`working_bits`, which restores it on every way out;
+- the working precision is set only by :class:`working_bits`, which restores it on every way out (Ctrl-C in the very
+  moment of going in or out may leave another one, and keep other threads waiting);
 - an input is an exact rational (``fmpq``) or a finite ball (``arb``); a float is refused;
 - a comparison answers True or False only when it is certain, and ``None`` otherwise;
 - every error bound enters a ball through :func:`add_remainder`, balls are joined by :func:`hull`.

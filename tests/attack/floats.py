@@ -1,8 +1,13 @@
 """Theta of arrays of doubles, and its derivative by beta, against difference quotients of the reference: integers and
-what lies next to them, wide balls, views of arrays in any order, columns of beta broadcast against rows of tau."""
+what lies next to them, wide balls, views of arrays in any order, columns of beta broadcast against rows of tau; where
+another library has changed how doubles are rounded, and numpy raises what it can."""
 
 from __future__ import annotations
 
+import ctypes
+import ctypes.util
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -90,8 +95,9 @@ def _array(random: Random) -> Attack:
     betas = [rational(random, 8) for _ in range(3)]
     derivative, layout = random.choice((0, 0, 1, 3)), random.choice(tuple(_LAYOUTS))
     picks = [(random.randrange(10**6), random.randrange(3)) for _ in range(3)]
-    question = f"theta_of_floats of {size} doubles up to {far}, {layout}, {derivative=}, {betas=!s}"
-    return Attack(question, lambda: _judged_array(values, betas, derivative, layout, picks))
+    rounded = random.choice(("to nearest", *_DIRECTIONS))
+    question = f"theta_of_floats of {size} doubles up to {far}, {layout}, {derivative=}, {betas=!s}, rounded {rounded}"
+    return Attack(question, lambda: _judged_array(values, betas, derivative, layout, picks, rounded))
 
 
 def _double(random: Random, far: float) -> float:
@@ -117,17 +123,44 @@ _LAYOUTS = {
 }
 
 
+_DIRECTIONS = {"down": 0x400, "up": 0x800, "to zero": 0xC00}
+"""As the C library of an x86 processor numbers them; others do not know these numbers and change nothing."""
+
+
+@contextmanager
+def _other_library(rounded: str) -> Iterator[None]:
+    """Doubles are rounded so, from the second array on; numpy raises what it can."""
+    library = ctypes.CDLL(ctypes.util.find_library("m"))
+    before = library.fegetround()
+    if rounded in _DIRECTIONS:
+        theta_of_floats([0.25, 0.5, 0.75], "7/3")
+        library.fesetround(_DIRECTIONS[rounded])
+    try:
+        with np.errstate(all="raise" if rounded in _DIRECTIONS else "warn"):
+            yield
+    finally:
+        library.fesetround(before)
+
+
 def _judged_array(
-    values: list[float], betas: list[Fraction], derivative: int, layout: str, picks: list[tuple[int, int]]
+    values: list[float],
+    betas: list[Fraction],
+    derivative: int,
+    layout: str,
+    picks: list[tuple[int, int]],
+    rounded: str,
 ) -> Answer:
     given = _LAYOUTS[layout](values)
     points = np.asarray(given)
     if picks[0][1]:
         column = np.empty((3,) + (1,) * points.ndim, dtype=object)
         column.ravel()[:] = [to_fmpq(beta) for beta in betas]
-        found = theta_of_floats(given, column, derivative)
+        with _other_library(rounded):
+            found = theta_of_floats(given, column, derivative)
     else:
-        found, betas = theta_of_floats(given, to_fmpq(betas[0]), derivative), betas[:1]
+        betas = betas[:1]
+        with _other_library(rounded):
+            found = theta_of_floats(given, to_fmpq(betas[0]), derivative)
     answers = []
     for place, row in picks:
         at = np.unravel_index(place % points.size, points.shape)
