@@ -17,7 +17,7 @@ from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.integrator.norm_steps.adapted_basis import AdaptedBasis, adapted_basis, pieces_along
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep, Steps
 from gspot_verified.integrator.norm_steps.fast_decay import FastDecay
-from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, norm_step
+from gspot_verified.integrator.norm_steps.norm_step import Basis, NormPlan, NormStep, StateSet, defect_bounds, norm_step
 from gspot_verified.integrator.norm_steps.slow_curve import SlowCurve, slow_curve
 from gspot_verified.integrator.norm_steps.taylor_curve import TaylorCurve, cauchy_plan, rounded
 from gspot_verified.numbers.balls import approximate
@@ -139,12 +139,14 @@ class NormRun:
             self._curve.length, self._decay.state = chosen.length, chosen.decay
         return step
 
-    def _proved(self, solution: Sequence[arb_poly], h: arb, plan: NormPlan) -> NormStep | None:
+    def _proved(
+        self, solution: Sequence[arb_poly], h: arb, plan: NormPlan, defect: Sequence[arb] | None = None
+    ) -> NormStep | None:
         """The step, where it can be proved and certainly does not pass the end, which may be a wide ball."""
         if not (self._left is None or h is self._left or h < self._left):
             return None
         self._plan_in_use = plan
-        return norm_step(self.field, solution, self.set, h, plan)
+        return norm_step(self.field, solution, self.set, h, plan, defect)
 
     def _of_box(self, box: Sequence[arb]) -> StateSet:
         size = len(box)
@@ -158,11 +160,15 @@ class NormRun:
         for halving in range(_HALVINGS):
             try:
                 h, solution = self._curve.advance(self.set.middle, left, halving)
+                series = cauchy_plan(self.field, solution, h)
+                defect = defect_bounds(self.field, solution, h, *series)
+                if defect is None:  # then no pieces help
+                    continue
                 least = _DEFECT_BITS - self._curve.fraction_bits(self.set.middle)
                 before = max(least, *(log2_of(side.rad()) for side in self.set.enclosure()))
                 best: NormStep | None = None
                 for pieces in _PIECES:
-                    step = self._proved(solution, h, self._plan(solution, h, pieces))
+                    step = self._proved(solution, h, self._plan(solution, h, series, pieces), defect)
                     best = step or best
                     if step is not None and max(map(log2_of, step.tube)) < before + _GROWTH_BITS:
                         break
@@ -199,22 +205,22 @@ class NormRun:
         before = max(*(log2_of(side.rad()) for side in self.set.enclosure()), curve.start)
         for dependency in _DEPENDENCIES:
             pieces = pieces_along(curve.jacobian, length, _MOST_PIECES, dependency)
-            plan = self._plan_of(curve.solution, arb(length), pieces)
+            plan = self._plan_of(arb(length), cauchy_plan(self.field, curve.solution, arb(length)), pieces)
             step = self._proved(curve.solution, arb(length), plan)
             if step is None or max(map(log2_of, step.tube)) < before + _GROWTH_BITS:
                 break
         return step
 
-    def _plan(self, solution: Sequence[arb_poly], h: arb, pieces: int) -> NormPlan:
+    def _plan(self, solution: Sequence[arb_poly], h: arb, series: tuple[int, int], pieces: int) -> NormPlan:
         bases = []
         for i in range(pieces):
             rows = self.field.on_box([p(arb(2 * i + 1) / (2 * pieces)).mid() for p in solution])[1]
             bases.append(adapted_basis([[approximate(entry) for entry in row] for row in rows]))
         self._decay.passed(bases[-1].values, approximate(h))
-        return self._plan_of(solution, h, [(i / pieces, (i + 1) / pieces, basis) for i, basis in enumerate(bases)])
+        return self._plan_of(h, series, [(i / pieces, (i + 1) / pieces, basis) for i, basis in enumerate(bases)])
 
     def _plan_of(
-        self, solution: Sequence[arb_poly], h: arb, pieces: Sequence[tuple[float, float, AdaptedBasis]]
+        self, h: arb, series: tuple[int, int], pieces: Sequence[tuple[float, float, AdaptedBasis]]
     ) -> NormPlan:
         narrow = all(radius < _NARROW for radius in self.set.radii)
         margin = _MARGIN_BITS if narrow else _LEAST_MARGIN_BITS
@@ -223,6 +229,5 @@ class NormRun:
             bases.append(Basis(arb_mat([[arb(value) for value in row] for row in basis.rows]), basis.blocks))
             growth = 2 * max(basis.rate, 0.0) * approximate(h) * (b - a)
             margins.append(arb((1, margin)) * arb(min(growth, _LARGEST_EXPONENT)).exp().mid())
-        disc, length = cauchy_plan(self.field, solution, h)
         ends = (arb(0), *(arb(b) for _, b, _ in pieces))
-        return NormPlan(ends, tuple(bases), tuple(margins), disc, length)
+        return NormPlan(ends, tuple(bases), tuple(margins), *series)

@@ -110,12 +110,21 @@ class NormStep:
 
 
 def norm_step(
-    field: VectorField, solution: Sequence[arb_poly], start: StateSet, h: arb, plan: NormPlan
+    field: VectorField,
+    solution: Sequence[arb_poly],
+    start: StateSet,
+    h: arb,
+    plan: NormPlan,
+    defect: Sequence[arb] | None = None,
 ) -> NormStep | None:
-    """The step of length h > 0 along polynomials in τ, or None when a hypothesis could not be verified."""
+    """The step of length h > 0 along polynomials in τ, or None when a hypothesis could not be verified.
+
+    ``defect``: what :func:`defect_bounds` gave for this field, these polynomials and this length, whatever the series.
+    """
     if not (h > 0 and _fits(plan, field.dimension) and _divides(start.basis, field.dimension)):
         return None
-    defect = defect_bounds(field, solution, h, plan)
+    if defect is None:
+        defect = defect_bounds(field, solution, h, plan.disc, plan.length)
     if defect is None:
         return None
     before, radii = start.basis, column(start.radii)
@@ -283,12 +292,11 @@ def _majorant(rates: arb_mat, radii: Sequence[arb], pushes: Sequence[arb], propo
     return [(growth.exp() * value).upper() for value in z]
 
 
-def defect_bounds(field: VectorField, solution: Sequence[arb_poly], h: arb, plan: NormPlan) -> list[arb] | None:
-    """Bounds on |h f(x) - dx/dτ| on [0, 1], by component."""
-    length = plan.length
+def defect_bounds(field: VectorField, solution: Sequence[arb_poly], h: arb, disc: int, length: int) -> list[arb] | None:
+    """Bounds on |h f(x) - dx/dτ| on [0, 1], by component; ``disc`` and ``length`` are those of a :class:`NormPlan`."""
     with series_length(length):
         series = field.series([arb_series(p, length) for p in solution])
-    tails = _tails(field, solution, plan)
+    tails = _tails(field, solution, arb(disc), length)
     if tails is None:
         return None
     defects = []
@@ -301,12 +309,11 @@ def defect_bounds(field: VectorField, solution: Sequence[arb_poly], h: arb, plan
     return defects
 
 
-def _tails(field: VectorField, solution: Sequence[arb_poly], plan: NormPlan) -> list[arb] | None:
+def _tails(field: VectorField, solution: Sequence[arb_poly], disc: arb, length: int) -> list[arb] | None:
     """What the series of f leave out: nothing when f is a polynomial of a degree below their length."""
     degrees = field.degrees([max(p.degree(), 0) for p in solution])
-    if all(degree is not None and degree < plan.length for degree in degrees):
+    if all(degree is not None and degree < length for degree in degrees):
         return [arb(0)] * field.dimension
-    disc = arb(plan.disc)
     box = []
     for p in solution:
         start, *rest = p.coeffs() or [arb(0)]
@@ -315,4 +322,4 @@ def _tails(field: VectorField, solution: Sequence[arb_poly], plan: NormPlan) -> 
     bounds = [value.abs_upper() for value in field.values_on_complex_box(box)]
     if not all(bound.is_finite() for bound in bounds):
         return None
-    return [bound * disc ** (1 - plan.length) / (disc - 1) for bound in bounds]
+    return [bound * disc ** (1 - length) / (disc - 1) for bound in bounds]

@@ -135,12 +135,11 @@ def cauchy_plan(field: VectorField, solution: Sequence[arb_poly], h: arb) -> tup
     best: tuple[int, int] | None = None
     hidden = current_bits() - _GUARD_BITS + _TAIL_BITS
     around = arb((0, 0), (1, 0))
+    starts = [p(0) for p in solution]
+    sizes = [arb_poly([0, *map(abs, p.coeffs()[1:])]) for p in solution]
     for disc in _DISCS:
-        box = []
-        for p in solution:
-            start, *rest = p.coeffs() or [arb(0)]
-            reach = around * arb_poly([0, *(abs(c) for c in rest)])(arb(disc))
-            box.append(acb(start + reach, reach))
+        reaches = [around * size(disc) for size in sizes]
+        box = [acb(start + reach, reach) for start, reach in zip(starts, reaches, strict=True)]
         bounds = [abs(value) for value in field.values_on_complex_box(box)]
         if not all(bound.is_finite() for bound in bounds):
             break

@@ -75,7 +75,7 @@ def bounded_step(
     unit, last = bits
     coefficients = [[grid(c.mid() + arb((1, -unit - 1)), unit) for c in p.coeffs()] or [0] for p in chosen.solution]
     solution = [arb_poly([arb((c, -unit)) for c in row]) for row in coefficients]
-    defect = defect_bounds(field, solution, h, chosen.plan)
+    defect = defect_bounds(field, solution, h, chosen.plan.disc, chosen.plan.length)
     if defect is None:
         raise NotBounded("the defect of a step is not finite")
     jump = arb_mat([[x - p(arb(0))] for x, p in zip(start, solution, strict=True)])

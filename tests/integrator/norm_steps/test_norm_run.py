@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import islice
+from typing import Any
 
 import pytest
 from flint import arb, arb_mat, fmpq
@@ -16,10 +17,11 @@ from gspot_verified.functions.expressions import Constant, Cosine, Exponential, 
 from gspot_verified.integrator.box_steps.integrate import integrate
 from gspot_verified.integrator.field.event import Crossing, Watch
 from gspot_verified.integrator.field.field import VectorField
-from gspot_verified.integrator.norm_steps.adapted_basis import adapted_basis
+from gspot_verified.integrator.norm_steps import norm_run
+from gspot_verified.integrator.norm_steps.adapted_basis import AdaptedBasis, adapted_basis
 from gspot_verified.integrator.norm_steps.chosen_step import ChosenStep, Steps
 from gspot_verified.integrator.norm_steps.norm_run import NormRun
-from gspot_verified.integrator.norm_steps.norm_step import NormPlan
+from gspot_verified.integrator.norm_steps.norm_step import NormPlan, defect_bounds, norm_step
 from gspot_verified.integrator.norm_steps.taylor_curve import TaylorCurve
 from gspot_verified.numbers.balls import working_bits
 
@@ -284,6 +286,33 @@ def test_slow_steps_are_taken_where_the_fast_part_has_died_out() -> None:
         end = run.set.enclosure()
         assert end[0].contains(arb(fmpq(-1, 100)).exp())
         assert end[1].contains(arb(fmpq(-1, 100)).exp() / (1 - arb(fmpq(1, 10**7))))
+
+
+def test_no_pieces_are_tried_where_the_defect_is_not_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They could not help; and pieces of one step share the bound, which is that of the step alone."""
+    bounds: list[list[arb] | None] = []
+    made: list[int] = []
+
+    def bounded(*given: Any) -> list[arb] | None:
+        bounds.append(None if not bounds else defect_bounds(*given))
+        return bounds[-1]
+
+    def based(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
+        made.append(len(bounds))
+        return adapted_basis(rows)
+
+    monkeypatch.setattr(norm_run, "defect_bounds", bounded)
+    monkeypatch.setattr(norm_run, "adapted_basis", based)
+    with working_bits(64):
+        run = NormRun(OSCILLATOR, [arb(1), arb(0)], arb(2) * arb.pi())
+        first = next(iter(run))
+        plan = run._plan_in_use
+        assert made == [2]
+        assert bounds[1] == defect_bounds(OSCILLATOR, first.step.solution, first.step.h, plan.disc, plan.length)
+        start = NormRun(OSCILLATOR, [arb(1), arb(0)]).set
+        again = norm_step(OSCILLATOR, first.step.solution, start, first.step.h, plan)
+        assert again is not None
+        assert (again.tube, again.radii) == (first.step.tube, first.step.radii)
 
 
 def test_steps_that_are_known_are_proved_and_not_chosen_again(monkeypatch: pytest.MonkeyPatch) -> None:
