@@ -17,6 +17,7 @@ from gspot_verified.functions.rings import BALLS
 from gspot_verified.integrator.field.event import Crossing, Moment, Unclear, Watch, first_crossing
 from gspot_verified.integrator.norm_steps.chosen_step import Steps
 from gspot_verified.integrator.norm_steps.norm_run import NormRun, NormSegment
+from gspot_verified.integrator.norm_steps.norm_step import UNIT_INTERVAL
 from gspot_verified.mechanisms.approach.approach_plan import (
     Trials,
     bits_of_trial,
@@ -29,6 +30,7 @@ from gspot_verified.mechanisms.approach.approach_plan import (
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
 from gspot_verified.mechanisms.approach.capture import Capture, capture
 from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
+from gspot_verified.mechanisms.approach.distinguished import shared_taylor_in_p, taylor_in_p
 from gspot_verified.mechanisms.approach.fast_decay import surviving_exponent
 from gspot_verified.mechanisms.approach.slip_programs import slip_programs
 from gspot_verified.mechanisms.approach.slip_state import SlipState, StateError, StateInput, slip_state
@@ -55,12 +57,12 @@ MAX_STEPS = 600  # validated steps: a limit against endless work
 PRECISIONS = (160, 400)  # bits, tried in turn: any is correct, more keep the last balls narrow
 SPARE_BITS = 48  # more, which the polynomials of long steps leave to rounding errors
 _SPARE_OF_FEW_BITS = 32  # the same with fewer bits than those
-_LEAST_ORDER = 20  # of the polynomials of steps: with few bits what a step costs beside its terms counts more
+_LEAST_ORDER = 24  # of the polynomials of steps: with few bits what a step costs beside its terms counts more
 _FEWEST_LOST = 6.0  # bits that p has lost before its neighbourhood is looked at without the surface's velocity
 _SAMPLES = 4  # parts of a step that are checked, and points of it that are kept for pictures
 _PARTS = tuple(arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
 _FEWEST_BITS = 36  # of p: with fewer a run towards a G-spot ends, and what was seen before counts
-_FEWEST_OF_FEW = 20  # the same with few bits
+_FEWEST_OF_FEW = 8  # the same with few bits, where signs are enough
 _TOO_CLOSE = "lift-off and stick happen too close together to tell which comes first"
 
 
@@ -275,7 +277,8 @@ class _Attempt:
         if caught is not None and self.goal is not None:
             marked = marked or caught
         if caught is not None and marked is not None:
-            return self._at_spot(marked, caught, exponent_for(marked.capture, self.bits, self.wanted))
+            lost = marked.exponent if self.goal else exponent_for(marked.capture, self.bits, self.wanted)
+            return self._at_spot(marked, caught, lost)
         return self._open(run.reason or "no end")
 
     def _early(self, known: list[_Caught], trials: Trials, goal: Goal) -> Approach | None:
@@ -296,12 +299,13 @@ class _Attempt:
     def _doubt(self, segment: NormSegment) -> str | None:
         """A hypothesis on the mechanism that is not certain on some part of the segment."""
         self.shown.append(less(0, segment.step.h))
-        for part in _PARTS:
-            checked = self.hypotheses.checked(segment.states(part))
-            if isinstance(checked, str):
-                return checked
-            self.shown.append(checked)
-        return None
+        for parts in ((UNIT_INTERVAL,), _PARTS):
+            found = [self.hypotheses.checked(segment.states(part)) for part in parts]
+            shown = [each for each in found if isinstance(each, Evidence)]
+            if len(shown) == len(found):
+                self.shown += shown
+                return None
+        return next(each for each in found if isinstance(each, str))
 
     def _remember(self, segment: NormSegment) -> None:
         if self.goal is not None:  # no path is asked for, and u only where it says which surfaces the answer is for
@@ -341,8 +345,9 @@ class _Attempt:
             coefficient = coefficient_below_one(self.numbers, last.states, last.capture, place)
         elif beta > 1:
             disc, terms = disc_and_terms(approximate(beta), exponent, bits or self.bits)
+            taylor = taylor_in_p if self.goal is None else shared_taylor_in_p
             coefficient = coefficient_above_one(
-                self.numbers, self.programs.by_p, marked.states, marked.capture, place, terms, arb(2) ** -disc
+                self.numbers, self.programs.by_p, marked.states, marked.capture, place, terms, arb(2) ** -disc, taylor
             )
         side, why = self._side(case, reason, beta, coefficient)
         slip = last.capture.numbers.u.lower()

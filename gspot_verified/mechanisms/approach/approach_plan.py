@@ -17,6 +17,7 @@ _LEAST_RATIO_BITS = 3  # of that radius and p
 _FEWEST_TERMS = 4  # of the distinguished trajectory's polynomial in p: any number is correct
 _TERMS_SPARE = 24  # bits of that polynomial beyond those of C_1
 _LEAST_EXPONENT = 10.0  # bits that p is to lose at least
+_FEW_BITS, _EXPONENT_OF_FEW = 64, 20.0  # with fewer working bits than those: such a run ends with its signs
 _FIRST_SPARE = 6  # bits that p and the place of the G-spot must lose beyond those of C_1, in the first try
 _NEAR = 32  # p is to be so much smaller than where power series end; up to twice as large the first state is taken
 
@@ -32,6 +33,8 @@ def _rate(beta: float) -> float:
 
 def exponent_for(neighbourhood: Capture, bits: int, wanted: int = 0) -> float:
     """How many bits p is to lose before C_1 is read off, ``wanted`` bits of it at least."""
+    if bits < _FEW_BITS:
+        return _EXPONENT_OF_FEW
     beta = _beta(neighbourhood)
     if beta <= 1:
         return min(bits - 35.0, max(48, wanted + 16) / _rate(beta))

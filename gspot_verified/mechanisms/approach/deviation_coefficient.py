@@ -5,15 +5,17 @@ Proof page: ``proofs/approach.md``, Theorems A2 (β > 1) and A4 (β < 1).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from flint import arb
 
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.mechanisms.approach.capture import Capture
-from gspot_verified.mechanisms.approach.distinguished import FlowBounds, force_at, taylor_in_p
+from gspot_verified.mechanisms.approach.distinguished import Distinguished, FlowBounds, force_at, taylor_in_p
 from gspot_verified.mechanisms.approach.slip_flow import SlipNumbers
 from gspot_verified.numbers.balls import add_remainder, hull
+
+_ROOM = arb((1, -3))  # of a radius of the region, for the rest of the polynomial: any number is correct
 
 
 def coefficient_above_one(
@@ -24,11 +26,12 @@ def coefficient_above_one(
     place: Sequence[arb],
     order: int,
     disc: arb,
+    taylor: Callable[[VectorField, Sequence[arb], int], Distinguished | None] = taylor_in_p,
 ) -> arb | None:
     """C_1 from a state at a small p, where β > 1; None when a hypothesis is not certain.
 
     ``field`` is (S, R), ``neighbourhood`` the capture of ``states``, ``place`` encloses the G-spot; ``order`` and
-    ``disc`` are those of the distinguished trajectory's polynomial.
+    ``disc`` are those of the distinguished trajectory's polynomial, which ``taylor`` gives.
     """
     at = numbers.on(states)
     inside = neighbourhood.numbers
@@ -36,19 +39,19 @@ def coefficient_above_one(
         return None
     goal = inside.alpha_2 / (inside.alpha_3 - inside.alpha_1)
     try:
-        trajectory = taylor_in_p(field, place, order)
+        trajectory = taylor(field, place, order)
     except ValueError:
         return None
     if trajectory is None or not goal.is_finite():
         return None
-    # The region: where the trajectory itself stays, and the polynomial; twice as wide as needed.
+    # The region: where the trajectory itself stays, and the polynomial; a little wider than needed.
     whole = hull([arb(0), at.p.upper()])
     sides = []
     for polynomial, side in zip(
         (*trajectory.state, trajectory.force), (*neighbourhood.box, hull([at.force, goal])), strict=True
     ):
         around = hull([side, polynomial(whole)])
-        sides.append(add_remainder(around, around.rad()))
+        sides.append(add_remainder(around, around.rad() * _ROOM))
     region = FlowBounds.on(field, sides)
     if region is None:
         return None

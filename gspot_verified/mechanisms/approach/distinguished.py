@@ -7,11 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
-from flint import acb, arb, arb_poly, arb_series
+from flint import acb, arb, arb_poly, arb_series, fmpq, fmpz
 
 from gspot_verified.integrator.field.field import VectorField
-from gspot_verified.numbers.balls import add_remainder, hull, series_length
+from gspot_verified.numbers.balls import add_remainder, current_bits, hull, series_length
+
+_KEPT = 32  # polynomials of shared boxes
+_GRID = 3 / 4  # of the working bits are those of the grid on which a shared box lies
+_OFFSET = fmpq(191, 499)  # of that grid, so that no simple number stands on it
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,24 +64,53 @@ def taylor_in_p(field: VectorField, place: Sequence[arb], order: int) -> Disting
     rows = [[value] for value in place]
     with series_length(1):
         # R = (β - 1) λ - α_2/α_1 is affine in λ: its values at λ = 0 and 1 give β - 1 and the start.
-        zero = field.series([arb_series([value], 1) for value in (*place, arb(0))])[size]
-        one = field.series([arb_series([value], 1) for value in (*place, arb(1))])[size]
-    exponent = _term(one, 0) - _term(zero, 0)
+        zero = field.series([arb_series([value], 1) for value in (*place, arb(0))])
+        one = field.series([arb_series([value], 1) for value in (*place, arb(1))])
+    exponent = _term(one[size], 0) - _term(zero[size], 0)
     if not (exponent > 0 or exponent < 0):
         return None
-    force = [-_term(zero, 0) / exponent]
+    force = [-_term(zero[size], 0) / exponent]
+    # S is affine in λ, too: a term is what it is without the last coefficient of λ, and that times S_λ at p = 0.
+    slopes = [row[size] for row in field.on_box([*place, arb(0)])[1][:size]]
+    terms = [_term(function, 0) for function in zero[:size]]
     for k in range(1, order + 1):
         if not (k - exponent > 0 or k - exponent < 0):
             return None
-        with series_length(k):
-            S = field.series([arb_series(row, k) for row in (*rows, force)])
-        for row, function in zip(rows, S[:size], strict=True):
-            row.append(_term(function, k - 1) / k)
+        for row, term, slope in zip(rows, terms, slopes, strict=True):
+            row.append((term + slope * force[-1]) / k)
         with series_length(k + 1):
-            R = field.series([arb_series(row, k + 1) for row in (*rows, [*force, arb(0)])])[size]
+            *S, R = field.series([arb_series(row, k + 1) for row in (*rows, [*force, arb(0)])])
         force.append(_term(R, k) / (k - exponent))
+        terms = [_term(function, k) for function in S]
     polynomials = [arb_poly(row) for row in rows]
     return Distinguished(tuple(polynomials), arb_poly(force), exponent, order)
+
+
+def shared_taylor_in_p(field: VectorField, place: Sequence[arb], order: int) -> Distinguished | None:
+    """The same in a box around ``place`` that all narrow enclosures of one point have in common, but for chance: made
+    once for many states that reach one G-spot, and the same whatever was asked before.
+
+    :raises ValueError: a divisor may vanish.
+    """
+    bits = round(_GRID * current_bits())
+    unit = arb((1, -bits))
+    cells = []
+    for side in place:
+        shifted = side / unit - _OFFSET
+        low, high = shifted.lower().floor().unique_fmpz(), shifted.upper().ceil().unique_fmpz()
+        if low is None or high is None or high - low > 2:  # a box of many G-spots
+            return taylor_in_p(field, place, order)
+        cells.append((low, high))
+    return _taylor_in_cells(field, tuple(cells), order, bits)
+
+
+@lru_cache(_KEPT)
+def _taylor_in_cells(
+    field: VectorField, cells: tuple[tuple[fmpz, fmpz], ...], order: int, bits: int
+) -> Distinguished | None:
+    """Between these points of the grid; the field is known by its identity."""
+    unit = arb((1, -bits))
+    return taylor_in_p(field, [hull([(k + _OFFSET) * unit for k in cell]) for cell in cells], order)
 
 
 def _term(series: arb_series, k: int) -> arb:

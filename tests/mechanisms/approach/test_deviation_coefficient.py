@@ -175,11 +175,11 @@ def above(
 
     trajectory = Distinguished((arb_poly([5, 8]), arb_poly([0])), arb_poly([1, 4]), arb(1), 3)
     monkeypatch.setattr(deviation_coefficient, "FlowBounds", Given)
-    monkeypatch.setattr(deviation_coefficient, "taylor_in_p", lambda *_: trajectory)
     monkeypatch.setattr(deviation_coefficient, "force_at", lambda *_: arb("1.5") if middle is None else middle)
     field = cast(VectorField, None)
     held = caught(arb(-2), arb(-1), third)
-    return coefficient_above_one(cast(SlipNumbers, made), field, STATES, held, PLACE, 3, arb(1)), made, regions
+    value = coefficient_above_one(cast(SlipNumbers, made), field, STATES, held, PLACE, 3, arb(1), lambda *_: trajectory)
+    return value, made, regions
 
 
 def test_theorem_a2_by_hand(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,7 +14,14 @@ from samples.strategies import ends, holds
 
 from gspot_verified.functions.expressions import Constant, Variable
 from gspot_verified.integrator.field.field import VectorField
-from gspot_verified.mechanisms.approach.distinguished import Distinguished, FlowBounds, _bounds, force_at, taylor_in_p
+from gspot_verified.mechanisms.approach.distinguished import (
+    Distinguished,
+    FlowBounds,
+    _bounds,
+    force_at,
+    shared_taylor_in_p,
+    taylor_in_p,
+)
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow
 from gspot_verified.mechanisms.derive.to_system import shift
 from gspot_verified.mechanisms.expand import expand
@@ -99,6 +106,32 @@ def test_an_integer_beta_has_no_polynomial() -> None:
         spot = [arb(0), arb(1), arb(0), arb(0), arb(0), arb(0)]
         assert taylor_in_p(field, spot, 1) is not None
         assert taylor_in_p(field, spot, 2) is None  # 2 - (β - 1) = 0
+
+
+def test_narrow_enclosures_of_one_point_share_a_polynomial_that_holds_for_each() -> None:
+    """A wide one has its own; and one of another point."""
+    with working_bits(100):
+        field = SlipFlow.of(shift(EXTENDED)).by_p()
+        spot = [arb(0), arb(1), arb(0), arb(0), arb(0), arb(0)]
+        first, second = ([add_remainder(value, arb((1, -k))) for value in spot] for k in (90, 95))
+        found = shared_taylor_in_p(field, first, 4)
+        assert found is not None
+        assert shared_taylor_in_p(field, second, 4) is found
+        exact = taylor_in_p(field, spot, 4)
+        assert exact is not None
+        for shared, own in zip((*found.state, found.force), (*exact.state, exact.force), strict=True):
+            for k in range(5):
+                assert shared[k].contains(own[k])
+                assert shared[k].rad() < 2.0**-50
+        other = shared_taylor_in_p(field, [spot[0], arb(2), *spot[2:]], 4)
+        assert other is not None
+        assert other is not found
+        assert other.state[1][0].contains(2)
+        wide = [add_remainder(value, arb((1, -60))) for value in spot]
+        own_of_wide, again = shared_taylor_in_p(field, wide, 4), taylor_in_p(field, wide, 4)
+        assert own_of_wide is not None
+        assert again is not None
+        assert str(own_of_wide.force) == str(again.force)
 
 
 FLAT = VectorField([Constant(fmpq(-3)), Constant(fmpq(2)), Constant(fmpq(-5))])
