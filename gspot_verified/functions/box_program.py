@@ -7,12 +7,13 @@ microsecond for each operation.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from typing import Any
 
 from flint import arb, fmpq
 
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.functions.straight_line import StraightLine
+from gspot_verified.functions.straight_line import Given, StraightLine, constants_at
 from gspot_verified.numbers.balls import current_bits, nonfinite
 
 Box = Sequence[arb]
@@ -48,8 +49,17 @@ class BoxProgram:
         if used and max(used) >= dimension:
             raise ValueError(f"the functions use component {max(used)} of a state of {dimension} components")
         self._constants: dict[int, list[arb]] = {}
-        self._values: Callable[..., Any] | None = None
-        self._gradients: Callable[..., Any] | None = None
+        self._given: Given = {}
+        self._functions: dict[str, Callable[..., Any]] = {}
+        self._moving: list[list[int]] = []
+
+    def at(self, given: Given) -> BoxProgram:
+        """The same, compiled once for both, with numbers in the place of some constants that are balls."""
+        if not given:
+            return self
+        other = copy(self)
+        other._constants, other._given = {}, given
+        return other
 
     @property
     def depends(self) -> list[frozenset[int]]:
@@ -58,21 +68,24 @@ class BoxProgram:
 
     def values(self, box: Box) -> list[arb]:
         """Enclosures of the functions on the box."""
-        if self._values is None:
-            self._values = self._compiled(self._roots, f"[{', '.join(self._roots)}]")
-        return list(self._values(box, self._at_this_precision()))
+        values = self._functions.get("values")
+        if values is None:
+            values = self._functions["values"] = self._compiled(self._roots, f"[{', '.join(self._roots)}]")
+        return list(values(box, self._at_this_precision()))
 
     def gradients(self, box: Box) -> tuple[list[arb], Rows]:
         """Enclosures of the functions and, as rows, of their partial derivatives by ``variables``.
 
         Where a function's enclosure is finite, it is analytic on a neighbourhood of the box.
         """
-        if self._gradients is None:
+        gradients = self._functions.get("gradients")
+        if gradients is None:
             slopes = [[self._code.slope(root, i) for i in self.variables] for root in self._roots]
             rows = ", ".join(f"[{', '.join(slope or 'zero' for slope in row)}]" for row in slopes)
+            self._moving[:] = [[i for i, slope in enumerate(row) if slope is not None] for row in slopes]
             names = [*self._roots, *(slope for row in slopes for slope in row if slope is not None)]
-            self._gradients = self._compiled(names, f"[{', '.join(self._roots)}], [{rows}]")
-        values, rows_found = self._gradients(box, self._at_this_precision())
+            gradients = self._functions["gradients"] = self._compiled(names, f"[{', '.join(self._roots)}], [{rows}]")
+        values, rows_found = gradients(box, self._at_this_precision())
         return values, rows_found
 
     def mean_values(self, box: Box) -> list[arb]:
@@ -88,9 +101,9 @@ class BoxProgram:
             middle[i] = box[i].mid()
         moves = [box[i] - middle[i] for i in self.variables]
         enclosures = []
-        for value, centre, row in zip(values, self.values(middle), rows, strict=True):
-            for slope, move in zip(row, moves, strict=True):
-                centre = centre + slope * move
+        for value, centre, row, moving in zip(values, self.values(middle), rows, self._moving, strict=True):
+            for i in moving:
+                centre = centre + row[i] * moves[i]
             enclosures.append(common(value, centre) if value.is_finite() and centre.is_finite() else value)
         return enclosures, rows
 
@@ -99,7 +112,7 @@ class BoxProgram:
         known = self._constants.get(bits)
         if known is None or len(known) < len(self._code.constants):
             known = self._constants[bits] = [
-                arb(value) if isinstance(value, fmpq) else value for value in self._code.constants
+                arb(value) if isinstance(value, fmpq) else value for value in constants_at(self._code, self._given)
             ]
         return known
 

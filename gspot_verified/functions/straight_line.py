@@ -28,8 +28,16 @@ from gspot_verified.functions.expressions import (
 
 _KEPT_TEXTS = 256  # whose code is kept: the same equations are asked for again and again
 
+Given = Mapping[int, fmpq]
+"""Numbers in the place of balls, which are known by their identity: of one code for many values of its parameters."""
+
 Definition = tuple[str, tuple[Any, ...]]
 """An operation and its operands: names of values, or a sign and a name for each term of a sum."""
+
+
+def constants_at(code: StraightLine, given: Given) -> list[arb | fmpq]:
+    """The constants of the code, with what is given in the place of some."""
+    return [given.get(id(value), value) for value in code.constants]
 
 
 class StraightLine:

@@ -143,7 +143,7 @@ class Watch:
         if from_zero not in (0, 1, 2):
             raise ValueError(f"from_zero: expected 0, 1 or 2, got {from_zero}")
         self.name = name
-        self._program, self._first = _programs(function, field, from_zero)
+        self._program, self._first = (each.at(field.given) for each in _programs(function, field.first, from_zero))
         self._stretch: list[_Piece] = []  # g rises on them all, and g < 0 at the begin of the first
         self._followed: Moment | None = None
         self._leaving = from_zero > 0

@@ -6,13 +6,14 @@ All three run the same straight-line code. What is not finite says that nothing 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from typing import Any
 
 from flint import acb, arb, arb_series, fmpq
 
 from gspot_verified.functions.box_program import logarithm, power, root, square
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.functions.straight_line import StraightLine
+from gspot_verified.functions.straight_line import Given, StraightLine, constants_at
 from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.numbers.balls import current_bits, nonfinite
 
@@ -50,8 +51,23 @@ class VectorField:
             raise ValueError(f"{self.dimension} functions of a state with component {max(used, default=0)}")
         self._rows = [[self._code.slope(name, i) for i in range(self.dimension)] for name in self._roots]
         self._constants: dict[int, list[arb]] = {}
+        self.given: Given = {}
+        self._compiled_as: VectorField | None = None
         self._compiled: dict[str, Callable[..., Any]] = {}
         self._degrees: dict[tuple[int, ...], list[int | None]] = {}
+
+    def at(self, given: Given) -> VectorField:
+        """The same, compiled once for both, with numbers in the place of some constants that are balls."""
+        if not given:
+            return self
+        other = copy(self)
+        other._constants, other.given, other._compiled_as = {}, given, self.first
+        return other
+
+    @property
+    def first(self) -> VectorField:
+        """The field that was compiled: itself, or the one of which it is :meth:`at` some numbers."""
+        return self._compiled_as or self
 
     def on_box(self, box: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
         """Enclosures of f and of its Jacobian matrix at every point of the box."""
@@ -147,7 +163,7 @@ class VectorField:
         known = self._constants.get(bits)
         if known is None or len(known) < len(self._code.constants):
             known = self._constants[bits] = [
-                arb(value) if isinstance(value, fmpq) else value for value in self._code.constants
+                arb(value) if isinstance(value, fmpq) else value for value in constants_at(self._code, self.given)
             ]
         return known
 

@@ -35,7 +35,7 @@ class TaylorCurve:
     """Polynomials along the solutions of one field, step after step: each length starts from the one before."""
 
     def __init__(self, field: VectorField, least_order: int = _LEAST_ORDER) -> None:
-        self._recurrence = _recurrence(field)
+        self._recurrence = _recurrence(field.first).at(field.given)
         self._guess = _FIRST_LENGTH
         self._bits = current_bits() - _GUARD_BITS
         self.order = max(least_order, round(_ORDER_PER_BIT * self._bits))

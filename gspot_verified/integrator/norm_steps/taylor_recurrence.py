@@ -6,6 +6,7 @@ Fixed point: an integer n stands for n/2^F. Coefficients that vanish at this pre
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from math import isqrt
 from operator import mul
 from typing import Any
@@ -13,7 +14,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.functions.straight_line import StraightLine, program
+from gspot_verified.functions.straight_line import Given, StraightLine, constants_at, program
 from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.numbers.balls import working_bits
 
@@ -38,6 +39,15 @@ class TaylorRecurrence:
         self._roots = [self._code.value(function) for function in functions]
         self._program = self._compiled()
         self._constants: dict[int, list[int]] = {}
+        self._given: Given = {}
+
+    def at(self, given: Given) -> TaylorRecurrence:
+        """The same, compiled once for both, with numbers in the place of some constants that are balls."""
+        if not given:
+            return self
+        other = copy(self)
+        other._constants, other._given = {}, given
+        return other
 
     def coefficients(self, start: Sequence[int], step: int, order: int, fraction_bits: int) -> Coefficients:
         """x_k h^k for k = 0..order, by component, from the start x_0 and the length h.
@@ -49,7 +59,7 @@ class TaylorRecurrence:
             raise NoSeriesError("no bits are left after the point")
         known = self._constants.get(fraction_bits)
         if known is None:
-            known = [fixed(value, fraction_bits) for value in self._code.constants]
+            known = [fixed(value, fraction_bits) for value in constants_at(self._code, self._given)]
             self._constants[fraction_bits] = known
         try:
             coefficients: Coefficients = self._program(list(start), known, order, step, fraction_bits)
@@ -97,7 +107,8 @@ class TaylorRecurrence:
             case "product":
                 left, right = operands
                 if "c" in (left[0], right[0]):
-                    return f"({_term(left, True)} * {_term(right, True)}) >> F"
+                    alone = "" if left[0] != right[0] else " if k == 0 else 0"
+                    return f"(({_term(left, True)} * {_term(right, True)}) >> F){alone}"
                 return f"convolution({left}, l{left}, {right}, l{right}, k) >> F"
             case "square":
                 return f"squared({u}, l{u}, k) >> F"

@@ -8,6 +8,7 @@ Proof page: ``proofs/approach.md``.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 
 from flint import arb
@@ -15,6 +16,7 @@ from flint import arb
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Expression, Variable
 from gspot_verified.functions.rings import BALLS
+from gspot_verified.functions.straight_line import Given
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.mechanisms.derive.to_system import Shifted
 
@@ -105,6 +107,13 @@ class SlipNumbers:
         self._program = BoxProgram([*scalars, *flow.F, *flow.G], self._size)
         self._beta = BoxProgram([flow.alpha_3 / flow.alpha_1], self._size)
         self._conditions = BoxProgram([flow.p, flow.b, flow.y, flow.v], self._size)
+
+    def at(self, given: Given) -> SlipNumbers:
+        """The same with numbers in the place of some constants, as :meth:`BoxProgram.at`."""
+        other = copy(self)
+        other._program, other._beta = self._program.at(given), self._beta.at(given)
+        other._conditions = self._conditions.at(given)
+        return other
 
     def on(self, box: Sequence[arb]) -> Numbers:
         """On one box."""

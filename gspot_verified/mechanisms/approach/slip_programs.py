@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
+from gspot_verified.functions.straight_line import Given
 from gspot_verified.integrator.field.field import VectorField
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
 from gspot_verified.mechanisms.derive.component_names import names_of_other_things
+from gspot_verified.mechanisms.derive.shared_derivation import given_numbers
 from gspot_verified.mechanisms.derive.slip_hypotheses import SlipHypotheses
 from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.numbers.balls import current_bits
@@ -24,6 +26,14 @@ class SlipPrograms:
     numbers: SlipNumbers
     hypotheses: SlipHypotheses
     other_names: frozenset[str]
+
+    def at(self, given: Given) -> SlipPrograms:
+        """The same with numbers in the place of some constants, as :meth:`BoxProgram.at`; not so in the flow."""
+        if not given:
+            return self
+        other = replace(self, numbers=self.numbers.at(given), hypotheses=self.hypotheses.at(given))
+        vars(other).update(desingularised=self.desingularised.at(given), by_p=self.by_p.at(given))
+        return other
 
     @cached_property
     def desingularised(self) -> VectorField:
@@ -48,7 +58,7 @@ def slip_programs(shifted: Shifted) -> SlipPrograms:
     ...     slip_programs(model) is first
     True
     """
-    return _at_precision(shifted, current_bits())
+    return _at_precision(shifted.shared or shifted, current_bits()).at(given_numbers(shifted))
 
 
 @lru_cache(_KEPT)

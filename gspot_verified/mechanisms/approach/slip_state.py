@@ -15,6 +15,7 @@ from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.functions.krawczyk import krawczyk
 from gspot_verified.functions.rings import BALLS
+from gspot_verified.mechanisms.derive.shared_derivation import given_numbers
 from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.mechanisms.formulas.formula import parse_formula
 from gspot_verified.mechanisms.formulas.simplify import constant
@@ -75,7 +76,7 @@ def slip_state(shifted: Shifted, state: StateInput, beside_place: bool = False) 
     if beside_place and not left_out:
         raise StateError(f"{mechanism.name}: the state gives all components: nothing of the G-spot is left to be used")
     box = placed_components(shifted, state, left_out)
-    program = _contact(shifted, current_bits())
+    program = _contact(shifted.shared or shifted, current_bits()).at(given_numbers(shifted))
     if missing:
         solution = _solved(mechanism, program, box, missing)
         return SlipState(solution, tuple(missing), _supposed_constraints(shifted, solution))

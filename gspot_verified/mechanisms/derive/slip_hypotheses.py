@@ -6,12 +6,14 @@ Proof page: ``proofs/mechanism_hypotheses.md``.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 
 from flint import arb, fmpq
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.periods import period_factor
 from gspot_verified.functions.rings import BALLS
+from gspot_verified.functions.straight_line import Given
 from gspot_verified.mechanisms.derive.mass_matrix import positive_definite
 from gspot_verified.mechanisms.derive.to_system import Shifted
 from gspot_verified.numbers.evidence import at_most, every
@@ -29,6 +31,12 @@ class SlipHypotheses:
         self._dimension = len(f.F)
         self._functions = shifted.expressions([*(entry for row in f.inertia for entry in row), f.mu], BALLS)
         self._program = BoxProgram(self._functions, self._dimension)
+
+    def at(self, given: Given) -> SlipHypotheses:
+        """The same with numbers in the place of some constants, as :meth:`BoxProgram.at`."""
+        other = copy(self)
+        other._program = self._program.at(given)
+        return other
 
     @property
     def components(self) -> frozenset[int]:

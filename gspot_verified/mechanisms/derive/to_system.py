@@ -173,12 +173,15 @@ class Shifted:
     """A mechanism's functions with the parameters put in and every angle counted from its reference.
 
     ``functions`` are expressions of the shifted state in which symbols may be left: bare reference angles, pi, and the
-    parameters without a value.
+    parameters without a value. ``numbers`` are those of some of these symbols: rationals; or balls that stand for any
+    number (see :mod:`shared_derivation`), then ``shared`` is one whose programs are to be used with the numbers.
     """
 
     mechanism: Mechanism
     functions: Derived[Expression]
     prepare: Preparation = field(repr=False, compare=False)
+    numbers: tuple[tuple[str, fmpq | arb], ...] = field(default=(), compare=False)
+    shared: Shifted | None = field(default=None, repr=False, compare=False)
 
     @property
     def constraints(self) -> tuple[Expression, ...]:
@@ -213,6 +216,9 @@ class Shifted:
         return [products[named[function]] for function in functions]
 
     def _number(self, name: str, ring: Ring) -> Expression:
+        number = dict(self.numbers).get(name)
+        if number is not None:
+            return Constant(number)
         angle = next((angle for angle in self.mechanism.angles if angle.name == name), None)
         if angle is None and name != PI:
             if isinstance(ring, Symbols) and name in dict(self.mechanism.parameters):

@@ -14,9 +14,10 @@ from flint import arb
 
 from gspot_verified.mechanisms.approach.approach import PRECISIONS
 from gspot_verified.mechanisms.approach.approach_result import Approach
-from gspot_verified.mechanisms.approach.mechanism_side import side_from
+from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide, side_from
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
+from gspot_verified.mechanisms.derive.shared_derivation import shared_derivation, with_numbers
 from gspot_verified.mechanisms.derive.to_system import Shifted, counted_from_zero, shift
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, exact_rational, require_mechanism
 from gspot_verified.mechanisms.sweep.sweep_piece import interval
@@ -25,9 +26,10 @@ from gspot_verified.mechanisms.table.parameter_rows import ParameterRow, Row, pa
 from gspot_verified.mechanisms.table.row_text import Numbers
 from gspot_verified.mechanisms.table.table_work import answered_rows
 from gspot_verified.numbers.balls import ExactInput, bits_for_digits, relative_bits, working_bits
+from gspot_verified.numbers.verdict import Reason
 
 _PORTION = 16  # rows of one task: each takes a tenth of a second or so
-_PRECISIONS = (40, 64, *PRECISIONS)  # bits, tried in turn: the least is enough for many rows
+_PRECISIONS = (46, 64, *PRECISIONS)  # bits, tried in turn: the least is enough for many rows
 _BITS_FOR_DIGITS = 1_000  # one more try, where digits are asked for
 _MOST_DIGITS = 15  # that doubles hold
 _NUMBERS = ("time", "alpha_1", "alpha_2", "alpha_3", "beta", "C1")
@@ -144,14 +146,7 @@ def _row(question: _Question, row: ParameterRow, precisions: Sequence[int]) -> t
         return _refused(question, row, row.wrong), None
     try:
         mechanism = question.mechanism.with_parameters(**dict(zip(question.parameters, row.values, strict=True)))
-        refuse_impossible(mechanism)
-        found = side_from(
-            _shifted(mechanism),
-            dict(question.state + row.state),
-            surface_velocity=question.surface,
-            precisions=precisions,
-            coefficient_bits=question.bits,
-        )
+        found = _followed(question, mechanism, dict(question.state + row.state), precisions)
     except MechanismError as error:
         return _refused(question, row, str(error)), None
     slip = found.approach
@@ -179,6 +174,44 @@ def _row(question: _Question, row: ParameterRow, precisions: Sequence[int]) -> t
     return answer, slip.bits
 
 
+def _followed(question: _Question, mechanism: Mechanism, state: StateInput, precisions: Sequence[int]) -> MechanismSide:
+    """By the functions that all rows share; where these leave something open, by those of the row alone."""
+
+    def by(shifted: Shifted) -> MechanismSide:
+        return side_from(
+            shifted,
+            state,
+            surface_velocity=question.surface,
+            precisions=precisions,
+            coefficient_bits=question.bits,
+        )
+
+    shared = _with_numbers(question.mechanism, question.parameters, mechanism)
+    if shared is not None:
+        found = by(shared)
+        slip = found.approach
+        enough = slip.coefficient is None or not question.bits or relative_bits(slip.coefficient) >= question.bits
+        if slip.exit_code == 0 and enough and (found.side is not None or found.verdict.reason is Reason.BEYOND):
+            return found
+    return by(_shifted(mechanism))
+
+
+@lru_cache(1)
+def _with_numbers(whole: Mechanism, parameters: tuple[str, ...], mechanism: Mechanism) -> Shifted | None:
+    """The functions that all rows share, with the numbers of one; None: there are none.
+
+    :raises MechanismError: it cannot be.
+    """
+    shared = _shared(whole, parameters) if parameters else None
+    if shared is None:
+        return None
+    refuse_impossible(mechanism)
+    return with_numbers(shared, mechanism)
+
+
+_shared = lru_cache(1)(shared_derivation)
+
+
 def _digits(coefficient: arb) -> int:
     """How many of its decimal digits are certain, as far as doubles hold them."""
     certain = relative_bits(coefficient)
@@ -187,7 +220,11 @@ def _digits(coefficient: arb) -> int:
 
 @lru_cache(1)
 def _shifted(mechanism: Mechanism) -> Shifted:
-    """Derived once for rows with the same parameters."""
+    """Derived once for rows with the same parameters.
+
+    :raises MechanismError: it cannot be.
+    """
+    refuse_impossible(mechanism)
     return shift(mechanism)
 
 

@@ -22,7 +22,7 @@ from gspot_verified.integrator.norm_steps.taylor_recurrence import TaylorRecurre
 from gspot_verified.numbers.balls import working_bits
 
 x, y = Variable(0), Variable(1)
-THIRD = Constant(fmpq(1, 3))
+THIRD, BALL = Constant(fmpq(1, 3)), Constant(arb(3) / 8)
 BITS = 200
 FIELDS: list[list[Expression]] = [
     [Power(x, fmpq(1, 2)) * y, Power(y, fmpq(-1))],
@@ -33,6 +33,7 @@ FIELDS: list[list[Expression]] = [
     [Power(x + Constant(fmpq(1)), fmpq(2)), Sine(y) * Cosine(y) + Power(x, fmpq(2)) * Sine(x * y)],
     [Constant(fmpq(1, 7)), Power(x, fmpq(2)) + Power(Power(x, fmpq(2)), fmpq(2)) - x * Power(x, fmpq(2))],
     [Power(THIRD, fmpq(1, 2)) * y, Power(THIRD, fmpq(5, 3)) * x + Power(THIRD, fmpq(-1)) + Power(THIRD, fmpq(2))],
+    [BALL * THIRD * y, (BALL * Constant(arb(5)) + THIRD) * x * y],
 ]
 
 

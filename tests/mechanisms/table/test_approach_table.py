@@ -169,7 +169,7 @@ def test_few_bits_first_and_more_where_a_row_is_open(monkeypatch: pytest.MonkeyP
     close = {"p": "1/2", "b": "-1000000001/1000000000"}  # to the distinguished trajectory, which has b = -1 there
     row, open_at_first = approach_table(MODEL, [STATES[0], close], FIXED)
     monkeypatch.undo()
-    assert [bits for *_, bits in tried] == [40, 160]
+    assert [bits for *_, bits in tried] == [46, 160]
     assert tried[0][2:-1] == PRECISIONS
     for each, values in ((row, STATES[0]), (open_at_first, close)):
         agrees(each, "model system", {}, {**FIXED, **values})
@@ -188,6 +188,36 @@ def test_rows_of_other_parameters_share_nothing_that_depends_on_them(monkeypatch
     assert replace(found[2], number=1) == found[0]
 
 
+def test_rows_of_other_parameters_are_derived_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Several columns of a rod; each row says what its rod says alone."""
+
+    def derived(_: object) -> None:
+        raise AssertionError("a row has a derivation of its own")
+
+    monkeypatch.setattr(module, "_shifted", derived)
+    start = {"X": 0, "X_dot": 2, "theta": "theta_ref - 1/20", "theta_dot": "1/2"}
+    rows = [{"mu": "2", "l": "1"}, {"mu": "73/36", "l": "11/10"}, {"mu": "-2", "l": "1"}]
+    first, second, third = approach_table(load("rod"), rows, start)
+    for row, values in ((first, rows[0]), (second, rows[1])):
+        assert row.outcome == "settled"
+        agrees(row, "rod", values, start)
+    assert third.outcome == "refused"
+
+
+def test_what_the_shared_functions_leave_open_is_asked_of_the_row_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[bool] = []
+    real = module.side_from
+
+    def unsure(shifted: Any, *given: Any, **more: Any) -> Any:
+        asked.append(shifted.shared is not None)
+        return real(shifted, *given, **{**more, "max_steps": 1} if shifted.shared is not None else more)
+
+    monkeypatch.setattr(module, "side_from", unsure)
+    (row,) = approach_table(MODEL, [{**STATES[0], "alpha_3": "-3/2"}], FIXED)
+    assert asked == [True, False]
+    agrees(row, "model system", {"alpha_3": "-3/2"}, {**FIXED, **STATES[0]})
+
+
 def test_a_row_after_one_of_more_bits_begins_with_the_second_precision(monkeypatch: pytest.MonkeyPatch) -> None:
     """In its portion, so that the rows are the same for every executor; the next portion begins anew."""
     tried: list[int] = []
@@ -201,7 +231,7 @@ def test_a_row_after_one_of_more_bits_begins_with_the_second_precision(monkeypat
     monkeypatch.setattr(module, "_PORTION", 3)
     close = {"p": "1/2", "b": "-1000000001/1000000000"}
     found = list(approach_table(MODEL, [STATES[0], close, STATES[0], STATES[0]], FIXED))
-    assert tried == [40, 40, 64, 40]
+    assert tried == [46, 46, 64, 46]
     assert {row.outcome for row in found} == {"settled"}
 
 
