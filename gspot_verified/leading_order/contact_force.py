@@ -20,6 +20,7 @@ from gspot_verified.signs.gamma.side import gamma_sign
 from gspot_verified.theta_function.value.evaluate import evaluate
 
 LEADING = "at leading order"
+SCALED_TIME = "τ = κ t ε^(-2/3), p = α1 t"
 MAX_BETA = 100  # a limit of input: ValueError beyond it
 LEAST_TENS = -100_000  # decimal exponent of the least epsilon_0 that is written down
 _MOST_TENS = 100  # decimal exponent at which epsilon_0 is cut off
@@ -103,7 +104,7 @@ class ContactForce(NoTruthValue, Written):
         return [
             case_and_side(self.case, f"β = {self.beta}, {alphas}", self.c1, self.takes_impact),
             f"  λ_N = {short_text(self.mean)} - (C1/α3) κ^(1-β) ε^({self.exponent}) dΘ/dτ, "
-            f"κ^3 = {short_text(-self.alpha_1 / 2)}",
+            f"κ^3 = {short_text(-self.alpha_1 / 2)}, {SCALED_TIME}",
         ]
 
     def value(self, tau: ExactInput, epsilon: ExactInput, digits: int = 15) -> arb:

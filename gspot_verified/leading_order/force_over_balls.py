@@ -10,7 +10,14 @@ from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.contact_force import LEADING, MAX_BETA, ContactForce, case_and_side, rational
+from gspot_verified.leading_order.contact_force import (
+    LEADING,
+    MAX_BETA,
+    SCALED_TIME,
+    ContactForce,
+    case_and_side,
+    rational,
+)
 from gspot_verified.leading_order.stretches_over_ball import SlopeOverBall
 from gspot_verified.numbers.balls import ExactInput, ball, ball_text, bits_for_digits, exact, sign_of, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Reason
@@ -104,7 +111,8 @@ class ForceOverBalls(NoTruthValue, Written):
         balls = {"β": self.beta, "α1": self.alpha_1, "α2": self.alpha_2, "α3": self.alpha_3}
         shown = ", ".join(f"{name} = {ball_text(value)}" for name, value in balls.items())
         # "For all numbers in the balls" is not said of those that are written: these are wider.
-        return [case_and_side(self.case, f"{shown} (balls rounded outward)", self.c1, self.takes_impact)]
+        side = case_and_side(self.case, f"{shown} (balls rounded outward)", self.c1, self.takes_impact)
+        return [side, f"  κ^3 = -α1/2, {SCALED_TIME}"]
 
 
 def force_over_balls(

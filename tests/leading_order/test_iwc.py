@@ -330,7 +330,7 @@ def test_the_text_line_by_line() -> None:
     lines = impact.lines()
     assert lines[0] == str(impact.verdict)
     assert lines[1] == "  Case III: β = 9/2, α1 = -1, α2 = -2, α3 = -4.5, C1 = -7/3: the side C1/Γ(-β) > 0, λ_N → +∞"
-    assert lines[2] == "  λ_N = 4/7 - (C1/α3) κ^(1-β) ε^(7/3) dΘ/dτ, κ^3 = 0.5"
+    assert lines[2] == "  λ_N = 4/7 - (C1/α3) κ^(1-β) ε^(7/3) dΘ/dτ, κ^3 = 0.5, τ = κ t ε^(-2/3), p = α1 t"
     assert [line.split(":")[0].strip() for line in lines[3:5]] == [
         "least value of sign(C1) dΘ/dτ on [-10, inf)", "the largest ε0 possible"
     ]  # fmt: skip

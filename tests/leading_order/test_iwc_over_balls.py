@@ -173,6 +173,7 @@ def test_texts_and_json() -> None:
     found = iwc_over_balls(-1, -1, around(Fraction(-5, 2), NARROW), digits=6)
     assert "Case III" in str(found)
     assert "the side C1/Γ(-β) > 0, λ_N → +∞" in str(found)
+    assert "\n  κ^3 = -α1/2, τ = κ t ε^(-2/3), p = α1 t\n" in str(found)
     assert "least value of sign(C1) dΘ/dτ on [-10, inf): " in str(found)
     assert "it holds for every τ < -10 as well" in str(found)
     data = found.to_json()

@@ -178,7 +178,7 @@ class ZeroMap(NoTruthValue, Written):
         lines = [str(self.verdict)]
         if self.beta[0] < THEOREM_UP_TO:
             lines.append(f"  β < 4, every ε > 0, by theorem: {_law_below_4(self.beta)}")
-        for row in self.rows:
+        for row in self.rows if self.beta[1] > THEOREM_UP_TO else ():
             parts = [f"{_numbers_text(one)} on ({one.beta[0]}, {one.beta[1]})" for one in row.stretch_rows]
             parts += [f"? on ({a}, {b})" for a, b in _joined(row.unfinished)]
             begin = "(" if row.lower == 0 else "["  # at ε = 0 nothing is stated

@@ -105,6 +105,7 @@ def test_below_4_the_theorem_tells() -> None:
     found = zero_map("1..4", "0..100")
     assert found.verdict.outcome is Outcome.PROVED
     assert "β < 4, every ε > 0, by theorem: 1 on (1, 2), 2 on (2, 3), 1 on (3, 4)" in str(found)
+    assert len(str(found).splitlines()) == 2  # no rows of ε: there is nothing in them
     assert found.examined == 0
 
 
