@@ -248,9 +248,10 @@ def _sizes() -> Entry:
         "1-impact-sizes",
         "lines 369 to 374",
         r"p<0:\quad u:\ u\to0,\qquad v^+=rBu/A\ \text{or}\ (v^+)^2=-pr^2Bu^2/(A(\mu A-B))",
-        "A rigid impact without collision (v = 0, u > 0 and p < 0 at first, A, B, C, μ constant) stops the slip, and v "
-        "falls to p u/(μA - B), which tends to 0 with p; at its end v is r B u/A by Poisson's law, more than r C "
-        "u/(μA) for every p < 0, and by the energetic law v² is -p r² B u²/(A (μA - B)), which tends to 0 with p",
+        "A rigid impact without collision (v = 0, u > 0 and p < 0 at first, A, B, C, μ constant, a coefficient of "
+        "restitution r > 0) stops the slip, and v falls to p u/(μA - B), which tends to 0 with p; at its end v is r B "
+        "u/A by Poisson's law, more than r C u/(μA) for every p < 0, and by the energetic law v² is "
+        "-p r² B u²/(A (μA - B)), which tends to 0 with p",
         Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), sizes_near_the_g_spot()]),
@@ -265,11 +266,16 @@ def _sizes() -> Entry:
 
 
 def quotient_has_the_limit() -> bool | None:
-    """Whether the quotient of the squares has it; its denominator is positive at p = 0, B > 0, μA > B."""
+    """Whether the quotient of the squares has it; open where its denominator at p = 0 is not positive, as μA - B is."""
     (top, bottom), (other, under) = (tuple(map(ALGEBRA.read, SIZES[name])) for name in ("energetic", "Poisson"))
     above, below = top * under**2, bottom * other**2
-    rest = ALGEBRA.substitute(above - ALGEBRA.read(LIMIT) * below, {"p": ALGEBRA.constant(0)})
-    return bool(rest.is_zero()) and not below.is_zero()
+    at_zero = {name: ALGEBRA.constant(0) for name in "px"}
+    stops = -ALGEBRA.read(RATES["u"])
+    rest, denominator = (ALGEBRA.substitute(value, at_zero) for value in (above - ALGEBRA.read(LIMIT) * below, below))
+    factor, more = divmod(denominator, stops)
+    regular = ALGEBRA.substitute(with_positive_symbols(stops), at_zero)
+    positive = more.is_zero() and rising_signs(factor) and rising_signs(regular)
+    return bool(rest.is_zero()) if positive else None
 
 
 def _laws() -> Entry:
@@ -278,7 +284,8 @@ def _laws() -> Entry:
         "lines 209, 369 to 374",
         r"p\to0:\quad(v^+)^2\text{ by the energetic law over }(v^+)^2\text{ by Poisson's law}\to0",
         "For a rigid impact without collision, A, B, C, μ constant, p < 0, the energetic law of restitution and "
-        "Poisson's differ in the limit p → 0: the quotient of the two squares of v at the end tends to 0",
+        "Poisson's, both with the same coefficient r > 0, differ in the limit p → 0: the quotient of the two squares "
+        "of v at the end tends to 0",
         Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), quotient_has_the_limit()]),

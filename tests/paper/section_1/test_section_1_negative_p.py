@@ -153,3 +153,13 @@ def test_the_lowest_velocity_is_found_on_the_second_route_too(monkeypatch: pytes
         top, bottom = ledger.SIZES[name]
         monkeypatch.setitem(ledger.SIZES, name, (f"2*({top})", bottom))
     assert ledger.sizes_by_the_whole_impulse() is False
+
+
+@pytest.mark.parametrize(("factor", "under"), [("p", "p"), ("1", "-1"), ("1", "x")])
+def test_a_limit_is_open_where_the_denominator_is_not_positive_at_the_g_spot(
+    monkeypatch: pytest.MonkeyPatch, factor: str, under: str
+) -> None:
+    assert ledger.quotient_has_the_limit() is True
+    top, bottom = ledger.SIZES["energetic"]
+    monkeypatch.setitem(ledger.SIZES, "energetic", (f"{factor}*({top})", f"{under}*({bottom})"))
+    assert ledger.quotient_has_the_limit() is None

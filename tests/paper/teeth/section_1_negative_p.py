@@ -52,6 +52,7 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.SIZES, "Poisson", lambda pair: (unseen_at("u", (0, 1))(pair[0]), pair[1])),
         Bite("hypothesis", ledger.PARADOX, "p", lambda _: "x"),
         Bite("hypothesis", ledger, "LIMIT", lambda _: "1+0*p", refutes=True),
+        Bite("hidden factor", ledger.SIZES, "energetic", lambda pair: (f"p*({pair[0]})", f"p*({pair[1]})")),
         Bite("order", ledger.SIZES, "energetic", lambda pair: (replaced("-p*", "p^2*")(pair[0]), pair[1])),
     ),
 }
