@@ -10,7 +10,15 @@ from flint import arb, fmpq
 
 from gspot_verified.numbers.balls import approximate, ball_text, certainly_less, hull, sign_of, working_bits
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
-from gspot_verified.paper.section_3.varsim2 import BETA, EPSILON, LIFT_OFF, SCENE, happens, has_no_slip_velocity
+from gspot_verified.paper.section_3.varsim2 import (
+    BETA,
+    EPSILON,
+    LIFT_OFF,
+    SCENE,
+    happens,
+    has_no_slip_velocity,
+    slip_slows_down,
+)
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.floats.float_run import float_run
 from gspot_verified.scenes.scene.file import load_scene
@@ -177,8 +185,8 @@ def _impact_to_lift_off() -> Entry:
         Rung.BALLS.check(
             "certified runs by the validated integrator, lift-off the only event: the signs of the rates of p, v, y "
             "and λ_N in boxes that enclose all of the motion in slip; eqs. udot, newex1 to newex5 in slip, derived by "
-            "u: no rate has u, so another u(0) changes u alone, by as much, as long as u > 0",
-            all_of([*map(is_shown, LOST), has_no_slip_velocity()]),
+            "u: no rate has u, so another u(0) changes u alone, by as much, as long as u > 0; u falls as λ_N > 0",
+            all_of([*map(is_shown, LOST), has_no_slip_velocity(), slip_slows_down()]),
             "; ".join(map(_told, LOST)),
         ),
         Rung.POINTS.check(

@@ -12,7 +12,7 @@ from gspot_verified.compliant.motion.compliant_force import force
 from gspot_verified.numbers.balls import approximate, ball_text, sign_of, working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
-from gspot_verified.paper.checks.identities import Algebra
+from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.numerics.paper_state import START, paper_state
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.floats.float_run import float_run
@@ -226,6 +226,11 @@ def _continues_to_stick() -> Entry:
 def has_no_slip_velocity() -> bool | None:
     """Whether u stands in no rate of slip, its own included."""
     return all(ALGEBRA.read(text).derivative("u").is_zero() for text in SLIP.values())
+
+
+def slip_slows_down() -> bool | None:
+    """Whether u falls in slip as long as there is a force: what is lost of it grows up to lift-off."""
+    return rising_signs(-ALGEBRA.read(SLIP["u"]))
 
 
 FAST = ((fmpq(1, 4), FIRST_SLIP), *((fmpq(4), slip) for slip in FASTER))

@@ -274,3 +274,10 @@ def test_the_caption_needs_the_drawn_events_too(monkeypatch: pytest.MonkeyPatch,
     monkeypatch.setattr(ledger, "floats_agree", lambda *_: True)
     monkeypatch.setattr(ledger, "RUNS", {**ledger.RUNS, (1, FOUR): (IMPACT,)})
     assert [check.agrees for check in ledger.ENTRIES["3-varsim2-caption"]().checks] == [True, True]
+
+
+def test_slip_falls_as_long_as_there_is_a_force(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.slip_slows_down() is True
+    for wrong in ("lam", "1 - lam", "0*lam"):
+        monkeypatch.setitem(ledger.SLIP, "u", wrong)
+        assert ledger.slip_slows_down() is False

@@ -8,6 +8,7 @@ from flint import fmpq
 from paper.bite import Bite, NotApplicable, Teeth
 
 from gspot_verified.paper.section_3 import impact_to_lift_off as ledger
+from gspot_verified.paper.section_3 import varsim2
 
 ENTRIES = ledger.ENTRIES
 
@@ -25,6 +26,7 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.RATES, "lambda_N", lambda honest: (1, lambda at: -honest[1](at))),
         Bite("hidden factor", ledger, "FLOAT_NEAR", lambda honest: honest / 1000),
         Bite("hypothesis", ledger, "CHI", lambda _: 0),
+        Bite("hypothesis", varsim2.SLIP, "u", lambda _: "lam"),
         Bite("hypothesis", ledger, "BETA", lambda _: fmpq(3, 2)),
         Bite("factor", ledger, "RATES", other_order, refutes=True),
         NotApplicable("order", "the claim is on events and their sequence; no order of an error occurs"),
