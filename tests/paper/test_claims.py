@@ -44,6 +44,7 @@ RESTRICTIONS = {
     "fixed τ with dΘ/dτ not 0": r"dΘ/dτ is not 0|τ = O\(1\)|at a fixed τ",
     "half-line|each ε_0 at leading order": "τ_0",
     "belt that is fast enough": "belt",
+    "^With m_1 at the contact point": "m_1 at the contact point",
     "^The oscillator in positive slip": "positive slip",
     "at most of the sizes": r"at most|O\(|leading order, where",
     "defined for p < 0 too": "p < 0|p = 0 is reached",

@@ -60,6 +60,9 @@ PROPERTIES = {
     "transitions from slip": "transition",
     "further into": "further into",
     "is conceivable that in": "can be",
+    "imperfections": "imperfections",
+    r"mechanical\s+degrees\s+of\s+freedom": "degrees of freedom",
+    "scales like": "scale",
 }
 """A property that a sentence claims, where it is no part of a name, and how a row says it: qualifying words too."""
 

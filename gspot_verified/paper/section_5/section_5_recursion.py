@@ -158,6 +158,61 @@ def _sum(parts: Parts, prefix: str = "") -> dict[str, fmpq_mpoly]:
     return {name: parts[prefix + name] for name in NAMES}
 
 
+def orders_of_the_example(parts: Parts, orders: int = 11) -> list[fmpq_mpoly]:
+    """The printed terms of order δ^n, with those of the extended example: of its series in (t, ε), not scaled.
+
+    α_1 = -1 + χ b with b = δ² b~, α_2 = -1 and α_3 = -3/2, so that (α_1)_n is χ b_(n-2) for n > 0.
+    """
+    nothing = [ALGEBRA.constant(0)] * orders
+    terms = {
+        name: [ALGEBRA.coefficient_of(scaled_series(ALGEBRA, name, orders), "delta", n) for n in range(orders)]
+        for name in ("p", "b", "y", "v", "z", "lam")
+    }
+    chi = _SYMBOLS["chi"]
+    a1 = [ALGEBRA.constant(-1), nothing[0], *(chi * value for value in terms["b"][: orders - 2])]
+    a2, a3 = ([ALGEBRA.constant(value), *nothing[1:]] for value in (fmpq(-1), fmpq(-3, 2)))
+
+    def total(name: str, left: list[fmpq_mpoly], n: int) -> fmpq_mpoly | None:
+        """The sum over the printed indices; ``None`` where they are none."""
+        found, at = nothing[0], {"n": ALGEBRA.constant(n)}
+        ends = [_integer(ALGEBRA.substitute(parts[f"{name} {end}"], at)) for end in ("first", "last")]
+        if ends[0] is None or ends[1] is None:
+            return None
+        for k in range(ends[0], ends[1] + 1):
+            here = at | {"k": ALGEBRA.constant(k)}
+            i, j = (_integer(ALGEBRA.substitute(parts[f"{name} {side}"], here)) for side in ("left", "right"))
+            if i is None or j is None or max(i, j) >= orders:
+                return None
+            found += left[i] * terms["lam"][j] if min(i, j) >= 0 else nothing[0]
+        return found
+
+    found = [ALGEBRA.substitute(parts["p_0"], {"alpha1": a1[0]}) - terms["p"][0]]
+    for n in range(orders):
+        images = {"alpha1": a1[0], "alpha3": a3[0], "a1n": a1[n], "a2n": a2[n], "l0": terms["lam"][n]}
+        images |= {f"{name}0": terms[name][n] for name in "byvz"}
+        images |= {f"{name}1": terms[name][n].derivative("s") for name in "pbyv"}
+        images |= {"q1": terms["z"][n - 1].derivative("s") if n else nothing[0], "n": ALGEBRA.constant(n)}
+        for left, right, of in (
+            ("P", "r_p", None), ("B", "r_b", ("b", a3)), ("Y", "", None), ("V", "r_v", ("v", terms["p"])),
+            ("Z", "r_z", None), ("L", "", None),
+        ):  # fmt: skip
+            summed = total(*of, n) if of else nothing[0]
+            if summed is None:
+                return [ALGEBRA.constant(1)]
+            line = parts[left] - (parts[right] if right else nothing[0])
+            found.append(ALGEBRA.substitute(line, images | {"S": summed}))
+    return found
+
+
+def _integer(value: fmpq_mpoly) -> int | None:
+    """The integer that the formula is; ``None`` where it is none."""
+    if value.is_zero():
+        return 0
+    if not value.is_constant() or value.leading_coefficient().q != 1:
+        return None
+    return int(value.leading_coefficient().p)
+
+
 def _orders() -> Entry:
     this = _claim("5-orders")
     scaled = {name: ALGEBRA.read(text) for name, text in PRINTED["5-inner-system"].items()}
@@ -198,6 +253,11 @@ def _orders() -> Entry:
         "specialLn, for every n, and p_0 is α_1* s",
         this.check("term by term; the sums have each pair of orders with the sum n once, for every n", pairs),
         this.check("term by term; the sums for geometric series x^i, y^j, with x^n and y^n as symbols", geometric),
+        this.check(
+            "the extended example, every order below 11: the terms of its series in (t, ε), without the scaling",
+            orders_of_the_example,
+            Rung.POINTS,
+        ),
         note="The term k = n of each product stands on the left: α_3* λ_n and p_0 λ_n = α_1* s λ_n. z_(-1) = 0 "
         "is said in line 1648 alone: line 1534 is about functions of ξ.",
     )

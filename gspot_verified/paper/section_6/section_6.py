@@ -76,8 +76,8 @@ def _motion() -> Entry:
         "6-motion",
         "lines 2117 to 2142",
         r"M(q)\ddot q=f(q,\dot q)+Q_N\lambda_N+Q_T\lambda_T",
-        "With its contact point at the printed x(q), y(q) the oscillator moves by the printed equation with the "
-        "printed M, f, Q_N and Q_T",
+        "With m_1 at the contact point, at the printed x(q), y(q), m_2 moving upwards with ψ, and a spring and a "
+        "damper on φ and on ψ, the oscillator moves by the printed equation with the printed M, f, Q_N and Q_T",
         this.check("Lagrange's equations of the energies of masses, springs and dampers", lagrange),
         this.check("d'Alembert's principle: the power of inertia and forces", virtual_power),
     )

@@ -1,4 +1,4 @@
-"""Steps of Theorem 1's recursion: what only one value of k would show."""
+"""Steps of Theorem 1's recursion: what only one value of k would show, and what the extended example shows."""
 
 from __future__ import annotations
 
@@ -14,3 +14,18 @@ def test_seven_values_of_k_are_not_enough_for_a_higher_degree(monkeypatch: pytes
     wrong = f"{ledger.CORRECTED['5-monomial']['image']} + {vanishing}*{target}"
     monkeypatch.setitem(ledger.CORRECTED, "5-monomial", {"image": wrong})
     assert [check.agrees for check in ledger.ENTRIES["5-monomial"]().checks] == [None, None]
+
+
+WRONG = {
+    "P": "2*p1", "r_p": "-a1n", "B": "b1 - alpha3*l0", "r_b": "2*a2n - S", "Y": "y1 - 2*v0",
+    "V": "v1 - b0 - alpha3*s*l0", "r_v": "2*S", "Z": "z0 - l0", "r_z": "-q1", "L": "l0 - z0 - y0", "p_0": "alpha3*s",
+    "b left": "n - k - 1", "b last": "n", "v left": "n - k + 1", "v right": "k/2", "v first": "1 + 0*k", "v last": "n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("part", ["", *WRONG])
+def test_the_example_sees_a_wrong_term_of_each_equation(part: str) -> None:
+    """Without the two other routes, which share the terms that are no sums."""
+    texts = ledger.PRINTED["5-orders"] | ({part: WRONG[part]} if part else {})
+    found = ledger.orders_of_the_example({name: ledger.ALGEBRA.read(text) for name, text in texts.items()})
+    assert any(not value.is_zero() for value in found) is bool(part)
