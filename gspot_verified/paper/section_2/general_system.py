@@ -245,6 +245,18 @@ def _projected() -> Entry:
     )
 
 
+def not_pushed_by_both_forces() -> list[fmpq_mpoly]:
+    """The factor of λ_N in the speeds of the rod less G_N - μ G_T: 0 where λ_T is -μ λ_N."""
+    fields = {name: {key: ALGEBRA.read(text) for key, text in field.items()} for name, field in FORCES.items()}
+    none = ALGEBRA.constant(0)
+    return [
+        ALGEBRA.read(NEWTON[name]).derivative("r")
+        - fields["N"].get(name, none)
+        + ALGEBRA.symbols["mu"] * fields["T"].get(name, none)
+        for name in ("w", "W")
+    ]
+
+
 def _slip_equations() -> Entry:
     this = Claim(ALGEBRA, PRINTED)
 
@@ -254,7 +266,8 @@ def _slip_equations() -> Entry:
     def sliding_rod(parts: Parts) -> list[fmpq_mpoly]:
         rates = {name: ALGEBRA.read(text) for name, text in NEWTON.items()}
         images = {name: ALGEBRA.read(text) for name, text in ROD.items()}
-        return [ALGEBRA.derivative(images[name], rates) - ALGEBRA.substitute(parts[name], images) for name in "pbyv"]
+        along = [ALGEBRA.derivative(images[name], rates) - ALGEBRA.substitute(parts[name], images) for name in "pbyv"]
+        return [*along, *not_pushed_by_both_forces()]
 
     return Section("Section 2").settled(
         "2-slip-equations",
@@ -263,7 +276,11 @@ def _slip_equations() -> Entry:
         "In positive slip p, b, y, v satisfy the four equations, by the definitions of Sec. 2 and the two Lagrangian "
         "relations",
         this.check("the derivatives along F + λ_N G", along_the_field),
-        this.check("the rod that slides, by Newton's law: in every state of this mechanism", sliding_rod, Rung.POINTS),
+        this.check(
+            "the rod that slides, by Newton's law: in every state of this mechanism; the factor G_N - μ G_T of its λ_N",
+            sliding_rod,
+            Rung.POINTS,
+        ),
     )
 
 

@@ -150,7 +150,7 @@ def _one_way(nu: fmpq) -> Entry:
 
 def _two_way(nu: fmpq) -> Entry:
     what = f"a float run ({_FLOATS[0]}): the same events at these times"
-    note = "Whether an impact without collision begins before is not shown."
+    note = "Whether an impact without collision begins before is not shown here."
     if RUNS[1, nu][:1] == (STICK,):
         note += (
             f" u(0) = {FIRST_SLIP} is not large enough for ν = {nu}: with {FASTER[0]} and more it lifts off and has "

@@ -35,6 +35,7 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.LAGRANGIAN, "LGp", lambda _: "LGp"),
         Bite("hypothesis", ledger.LAGRANGIAN, "LGy", lambda _: "LGy"),
         *(Bite("hypothesis", ledger.ROD, name, scaled) for name in ledger.ROD),
+        *(Bite("hypothesis", ledger.FORCES[force], "w", scaled) for force in "TN"),
         *(Bite("hypothesis", ledger.NEWTON, name, scaled) for name in ledger.NEWTON),
         Bite("order", ledger.PRINTED, "v", replaced("p*r", "p*r^2")),
     ),
