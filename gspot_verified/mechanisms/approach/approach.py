@@ -346,8 +346,9 @@ class _Attempt:
         elif beta > 1:
             disc, terms = disc_and_terms(approximate(beta), exponent, bits or self.bits)
             taylor = taylor_in_p if self.goal is None else shared_taylor_in_p
+            states, around, field = marked.states, marked.capture, self.programs.by_p
             coefficient = coefficient_above_one(
-                self.numbers, self.programs.by_p, marked.states, marked.capture, place, terms, arb(2) ** -disc, taylor
+                self.numbers, field, states, around, place, order=terms, disc=arb(2) ** -disc, taylor=taylor
             )
         side, why = self._side(case, reason, beta, coefficient)
         slip = last.capture.numbers.u.lower()
