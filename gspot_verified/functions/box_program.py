@@ -10,11 +10,11 @@ from collections.abc import Callable, Sequence
 from copy import copy
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.functions.straight_line import Given, StraightLine, constants_at
-from gspot_verified.numbers.balls import current_bits, nonfinite
+from gspot_verified.functions.straight_line import Constants, Given, StraightLine
+from gspot_verified.numbers.balls import nonfinite
 
 Box = Sequence[arb]
 Rows = list[list[arb]]
@@ -48,8 +48,7 @@ class BoxProgram:
         used = [int(name[1:]) for name in self._code.needed(self._roots) if name[0] == "x"]
         if used and max(used) >= dimension:
             raise ValueError(f"the functions use component {max(used)} of a state of {dimension} components")
-        self._constants: dict[int, list[arb]] = {}
-        self._given: Given = {}
+        self._constants = Constants(self._code)
         self._functions: dict[str, Callable[..., Any]] = {}
         self._moving: list[list[int]] = []
 
@@ -58,7 +57,7 @@ class BoxProgram:
         if not given:
             return self
         other = copy(self)
-        other._constants, other._given = {}, given
+        other._constants = Constants(self._code, given)
         return other
 
     @property
@@ -71,7 +70,7 @@ class BoxProgram:
         values = self._functions.get("values")
         if values is None:
             values = self._functions["values"] = self._compiled(self._roots, f"[{', '.join(self._roots)}]")
-        return list(values(box, self._at_this_precision()))
+        return list(values(box, self._constants.balls()))
 
     def gradients(self, box: Box) -> tuple[list[arb], Rows]:
         """Enclosures of the functions and, as rows, of their partial derivatives by ``variables``.
@@ -85,7 +84,7 @@ class BoxProgram:
             self._moving[:] = [[i for i, slope in enumerate(row) if slope is not None] for row in slopes]
             names = [*self._roots, *(slope for row in slopes for slope in row if slope is not None)]
             gradients = self._functions["gradients"] = self._compiled(names, f"[{', '.join(self._roots)}], [{rows}]")
-        values, rows_found = gradients(box, self._at_this_precision())
+        values, rows_found = gradients(box, self._constants.balls())
         return values, rows_found
 
     def mean_values(self, box: Box) -> list[arb]:
@@ -106,15 +105,6 @@ class BoxProgram:
                 centre = centre + row[i] * moves[i]
             enclosures.append(common(value, centre) if value.is_finite() and centre.is_finite() else value)
         return enclosures, rows
-
-    def _at_this_precision(self) -> list[arb]:
-        bits = current_bits()
-        known = self._constants.get(bits)
-        if known is None or len(known) < len(self._code.constants):
-            known = self._constants[bits] = [
-                arb(value) if isinstance(value, fmpq) else value for value in constants_at(self._code, self._given)
-            ]
-        return known
 
     def _compiled(self, names: Sequence[str], result: str) -> Callable[..., Any]:
         return self._code.function(names, result, _OPERATIONS)

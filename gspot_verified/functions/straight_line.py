@@ -25,19 +25,36 @@ from gspot_verified.functions.expressions import (
     Sum,
     Variable,
 )
+from gspot_verified.numbers.balls import current_bits
 
 _KEPT_TEXTS = 256  # whose code is kept: the same equations are asked for again and again
 
-Given = Mapping[int, fmpq]
+Given = Mapping[int, arb | fmpq]
 """Numbers in the place of balls, which are known by their identity: of one code for many values of its parameters."""
 
 Definition = tuple[str, tuple[Any, ...]]
 """An operation and its operands: names of values, or a sign and a name for each term of a sum."""
 
 
-def constants_at(code: StraightLine, given: Given) -> list[arb | fmpq]:
-    """The constants of the code, with what is given in the place of some."""
-    return [given.get(id(value), value) for value in code.constants]
+class Constants:
+    """The constants of a code, with what is given in the place of some."""
+
+    def __init__(self, code: StraightLine, given: Given | None = None) -> None:
+        self.given = given or {}
+        self._code = code
+        self._balls: dict[int, list[arb]] = {}
+
+    def numbers(self) -> list[arb | fmpq]:
+        """As they stand in the code."""
+        return [self.given.get(id(value), value) for value in self._code.constants]
+
+    def balls(self) -> list[arb]:
+        """As balls at the working precision, made once for each."""
+        bits = current_bits()
+        known = self._balls.get(bits)
+        if known is None or len(known) < len(self._code.constants):
+            known = self._balls[bits] = [arb(value) for value in self.numbers()]
+        return known
 
 
 class StraightLine:

@@ -9,13 +9,13 @@ from collections.abc import Callable, Sequence
 from copy import copy
 from typing import Any
 
-from flint import acb, arb, arb_series, fmpq
+from flint import acb, arb, arb_series
 
 from gspot_verified.functions.box_program import logarithm, power, root, square
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.functions.straight_line import Given, StraightLine, constants_at
+from gspot_verified.functions.straight_line import Constants, Given, StraightLine
 from gspot_verified.integrator.field.no_series import NoSeriesError
-from gspot_verified.numbers.balls import current_bits, nonfinite
+from gspot_verified.numbers.balls import nonfinite
 
 _REAL: dict[str, Any] = {
     "one": arb(1), "zero": arb(0), "square": square, "root": root, "power": power, "logarithm": logarithm,
@@ -50,8 +50,7 @@ class VectorField:
         if not functions or max(used, default=0) >= self.dimension:
             raise ValueError(f"{self.dimension} functions of a state with component {max(used, default=0)}")
         self._rows = [[self._code.slope(name, i) for i in range(self.dimension)] for name in self._roots]
-        self._constants: dict[int, list[arb]] = {}
-        self.given: Given = {}
+        self._constants = Constants(self._code)
         self._compiled_as: VectorField | None = None
         self._compiled: dict[str, Callable[..., Any]] = {}
         self._degrees: dict[tuple[int, ...], list[int | None]] = {}
@@ -61,8 +60,13 @@ class VectorField:
         if not given:
             return self
         other = copy(self)
-        other._constants, other.given, other._compiled_as = {}, given, self.first
+        other._constants, other._compiled_as = Constants(self._code, given), self.first
         return other
+
+    @property
+    def given(self) -> Given:
+        """Those numbers."""
+        return self._constants.given
 
     @property
     def first(self) -> VectorField:
@@ -86,7 +90,7 @@ class VectorField:
                 for row in table
             )
             program = self._compiled["second"] = self._code.function(names, f"[{shown}]", _REAL)
-        derivatives: list[list[list[arb]]] = program(box, self._at_this_precision())
+        derivatives: list[list[list[arb]]] = program(box, self._constants.balls())
         return derivatives
 
     def on_complex_box(self, box: Sequence[acb]) -> tuple[list[acb], list[list[acb]]]:
@@ -147,7 +151,7 @@ class VectorField:
         program = self._compiled.get(kind)
         if program is None:
             program = self._compiled[kind] = self._compile(space, jacobian)
-        return program(state, self._at_this_precision())
+        return program(state, self._constants.balls())
 
     def _compile(self, space: dict[str, Any], jacobian: bool) -> Callable[..., Any]:
         names = [*self._roots]
@@ -157,15 +161,6 @@ class VectorField:
             rows = ", ".join(f"[{', '.join(slope or 'zero' for slope in row)}]" for row in self._rows)
             result = f"{result}, [{rows}]"
         return self._code.function(names, result, space)
-
-    def _at_this_precision(self) -> list[arb]:
-        bits = current_bits()
-        known = self._constants.get(bits)
-        if known is None or len(known) < len(self._code.constants):
-            known = self._constants[bits] = [
-                arb(value) if isinstance(value, fmpq) else value for value in constants_at(self._code, self.given)
-            ]
-        return known
 
 
 def as_series(value: Any, length: int) -> arb_series:

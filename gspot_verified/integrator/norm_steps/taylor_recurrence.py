@@ -14,7 +14,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from gspot_verified.functions.expressions import Expression
-from gspot_verified.functions.straight_line import Given, StraightLine, constants_at, program
+from gspot_verified.functions.straight_line import Constants, Given, StraightLine, program
 from gspot_verified.integrator.field.no_series import NoSeriesError
 from gspot_verified.numbers.balls import working_bits
 
@@ -38,15 +38,15 @@ class TaylorRecurrence:
         self._code = StraightLine()
         self._roots = [self._code.value(function) for function in functions]
         self._program = self._compiled()
-        self._constants: dict[int, list[int]] = {}
-        self._given: Given = {}
+        self._constants = Constants(self._code)
+        self._fixed: dict[int, list[int]] = {}
 
     def at(self, given: Given) -> TaylorRecurrence:
         """The same, compiled once for both, with numbers in the place of some constants that are balls."""
         if not given:
             return self
         other = copy(self)
-        other._constants, other._given = {}, given
+        other._constants, other._fixed = Constants(self._code, given), {}
         return other
 
     def coefficients(self, start: Sequence[int], step: int, order: int, fraction_bits: int) -> Coefficients:
@@ -57,10 +57,9 @@ class TaylorRecurrence:
         """
         if fraction_bits < 0:
             raise NoSeriesError("no bits are left after the point")
-        known = self._constants.get(fraction_bits)
+        known = self._fixed.get(fraction_bits)
         if known is None:
-            known = [fixed(value, fraction_bits) for value in constants_at(self._code, self._given)]
-            self._constants[fraction_bits] = known
+            known = self._fixed[fraction_bits] = [fixed(value, fraction_bits) for value in self._constants.numbers()]
         try:
             coefficients: Coefficients = self._program(list(start), known, order, step, fraction_bits)
         except (ZeroDivisionError, ValueError) as error:  # a divisor, or the argument of an integer square root

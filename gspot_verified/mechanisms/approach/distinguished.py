@@ -123,7 +123,7 @@ def force_at(field: VectorField, trajectory: Distinguished, p: arb, disc: arb, r
 
     ``region`` must hold the trajectory for all smaller p.
     """
-    if not (p > 0 and p < disc):
+    if not p > 0:
         return None
     rest = force_rest(field, trajectory, p.upper(), disc, region)
     return None if rest is None else add_remainder(trajectory.force(p), rest * p.upper() ** (trajectory.order + 1))

@@ -31,7 +31,7 @@ from gspot_verified.mechanisms.derive.mass_inverse import MassInverse, SingularM
 from gspot_verified.mechanisms.formulas.rewriting import along, simplified
 from gspot_verified.mechanisms.formulas.simplify import minus, negative, product_of, sum_of
 from gspot_verified.mechanisms.formulas.symbol import variable_indices
-from gspot_verified.mechanisms.input.mechanism import Fields, Lagrangian, Mechanism, MechanismError
+from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, MechanismError
 
 Prepare = Callable[[Sequence[Expression]], list[Expression]]
 
@@ -62,10 +62,7 @@ def lagrangian_input(mechanism: Mechanism, motion: Lagrangian, prepare: Prepare)
         the slip velocity does so not linearly.
     """
     n, m = len(motion.coordinates), len(mechanism.state)
-    entries = [entry for row in motion.mass_matrix for entry in row]
-    slip = mechanism.slip_velocity if mechanism.x is None else mechanism.x
-    assert slip is not None
-    first, y, mu, *rest = prepare([slip, mechanism.y, mechanism.mu, *entries, *motion.forces, *motion.constraints])
+    first, y, mu, *rest = prepare(mechanism.formulas)
     rows = tuple(tuple(rest[i * n : (i + 1) * n]) for i in range(n))
     forces, constraints = tuple(rest[n * n : n * n + n]), tuple(rest[n * n + n :])
     glide = (*(Variable(n + i) for i in range(n)), *[ZERO] * n, *[ONE] * (m - 2 * n))
@@ -111,14 +108,12 @@ def derive_expressions(mechanism: Mechanism, prepare: Prepare) -> Derived[Expres
     """
     if isinstance(mechanism.motion, Lagrangian):
         return _of_lagrangian(mechanism, mechanism.motion, prepare)
-    return _of_fields(mechanism, mechanism.motion, prepare)
+    return _of_fields(mechanism, prepare)
 
 
-def _of_fields(mechanism: Mechanism, motion: Fields, prepare: Prepare) -> Derived[Expression]:
+def _of_fields(mechanism: Mechanism, prepare: Prepare) -> Derived[Expression]:
     m = len(mechanism.state)
-    slip = mechanism.slip_velocity if mechanism.x is None else mechanism.x
-    assert slip is not None
-    first, y, mu, *rest = prepare([slip, mechanism.y, mechanism.mu, *motion.F, *motion.G_T, *motion.G_N])
+    first, y, mu, *rest = prepare(mechanism.formulas)
     F, G_T, G_N = tuple(rest[:m]), tuple(rest[m : 2 * m]), tuple(rest[2 * m :])
     G = tuple(minus(n, product_of(mu, t)) for n, t in zip(G_N, G_T, strict=True))
     x, u = (None, first) if mechanism.x is None else (first, along(F, first))

@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
-from flint import arb, fmpq
+from flint import arb
 
-from gspot_verified.functions.expressions import Expression
 from gspot_verified.functions.straight_line import Given
 from gspot_verified.mechanisms.derive.to_system import Preparation, Shifted, shift
 from gspot_verified.mechanisms.formulas.simplify import rational_value
-from gspot_verified.mechanisms.input.mechanism import Lagrangian, Mechanism, MechanismError
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.numbers.balls import nonfinite
 
 
@@ -44,21 +43,11 @@ def with_numbers(shared: Shifted, mechanism: Mechanism) -> Shifted:
     """
     values = mechanism.parameter_values()
     prepare = Preparation(mechanism)
-    prepare(_formulas(mechanism))
-    numbers = [(name, rational_value(values[name])) for name, _ in shared.numbers]
-    known = tuple((name, number) for name, number in numbers if number is not None)
+    prepare(mechanism.formulas)
+    known = tuple((name, number) for name, _ in shared.numbers if (number := rational_value(values[name])) is not None)
     return replace(shared, mechanism=mechanism, prepare=prepare, numbers=known, shared=shared)
 
 
 def given_numbers(shifted: Shifted) -> Given:
     """What stands for the balls of the one that is shared; nothing where none is."""
-    return {id(_any_number(name)): number for name, number in shifted.numbers if isinstance(number, fmpq)}
-
-
-def _formulas(mechanism: Mechanism) -> list[Expression]:
-    motion = mechanism.motion
-    slip = mechanism.slip_velocity if mechanism.x is None else mechanism.x
-    own = [mechanism.y, mechanism.mu, *([] if slip is None else [slip])]
-    if isinstance(motion, Lagrangian):
-        return [*own, *(entry for row in motion.mass_matrix for entry in row), *motion.forces, *motion.constraints]
-    return [*own, *motion.F, *motion.G_T, *motion.G_N]
+    return {id(_any_number(name)): number for name, number in shifted.numbers}

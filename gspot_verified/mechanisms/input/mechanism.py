@@ -78,6 +78,11 @@ class Lagrangian:
                     self._check_equal(row[j], rows[j][i], (i + 1, j + 1))
 
     @property
+    def formulas(self) -> tuple[Expression, ...]:
+        """The mass matrix row by row, the forces, the constraints."""
+        return (*(entry for row in self.mass_matrix for entry in row), *self.forces, *self.constraints)
+
+    @property
     def state(self) -> tuple[str, ...]:
         """The coordinates, their velocities, and the time where it is explicit."""
         return (*self.coordinates, *(f"{q}_dot" for q in self.coordinates), *([self.time] if self.time else []))
@@ -101,6 +106,11 @@ class Fields:
     F: tuple[Expression, ...]
     G_T: tuple[Expression, ...]
     G_N: tuple[Expression, ...]
+
+    @property
+    def formulas(self) -> tuple[Expression, ...]:
+        """F, G_T, G_N."""
+        return (*self.F, *self.G_T, *self.G_N)
 
 
 @dataclass(frozen=True)
@@ -176,6 +186,12 @@ class Mechanism(Shown):
         if not fits:
             raise MechanismError(f"{self.name}: the state {', '.join(self.state)} is not that of the motion")
         self._check_assumed()
+
+    @property
+    def formulas(self) -> tuple[Expression, ...]:
+        """x or the slip velocity, y, mu, then those of the motion: from these the functions of Sec. 2 are derived."""
+        slip = (each for each in (self.x, self.slip_velocity) if each is not None)
+        return (*slip, self.y, self.mu, *self.motion.formulas)
 
     def __str__(self) -> str:
         parameters = ", ".join(name for name, _ in self.parameters) or "none"

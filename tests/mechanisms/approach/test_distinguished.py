@@ -19,6 +19,7 @@ from gspot_verified.mechanisms.approach.distinguished import (
     FlowBounds,
     _bounds,
     force_at,
+    force_rest,
     shared_taylor_in_p,
     taylor_in_p,
 )
@@ -92,7 +93,9 @@ def test_hypotheses_that_fail() -> None:
         p, disc = arb(fmpq(1, 1000)), arb(fmpq(1, 50))
         assert force_at(field, found, p, disc, good) is not None
         assert force_at(field, found, disc, p, good) is None
+        assert force_at(field, found, disc, disc, good) is None
         assert force_at(field, found, arb(0), disc, good) is None
+        assert force_rest(field, found, arb(0), disc, good) is None
         assert force_at(field, found, arb(0, 1), disc, good) is None
         assert force_at(field, found, p, arb(100), good) is None  # 1/α_1 has a pole on such a disc
         small = FlowBounds.on(field, [*(arb(v, "1e-5") for v in (0, 1, 0, 0, 0, 0)), arb(2, "1e-5")])
@@ -132,6 +135,7 @@ def test_narrow_enclosures_of_one_point_share_a_polynomial_that_holds_for_each()
         assert own_of_wide is not None
         assert again is not None
         assert str(own_of_wide.force) == str(again.force)
+        assert shared_taylor_in_p(field, wide, 4) is not own_of_wide
 
 
 FLAT = VectorField([Constant(fmpq(-3)), Constant(fmpq(2)), Constant(fmpq(-5))])
@@ -159,6 +163,13 @@ def test_theorem_a3_by_hand() -> None:
         low, high = ends(value)
         assert middle - rest * (1 + Fraction(1, 10**6)) < low <= middle - rest
         assert middle + rest <= high < middle + rest * (1 + Fraction(1, 10**6))
+
+
+def test_theorem_a3_with_an_exponent_next_to_an_order() -> None:
+    """β - 1 = 11/4, n = 2: κ = 1/4 > 0 is all that is asked."""
+    with working_bits(80):
+        found, good, *_ = by_hand(exponent=arb("2.75"), S_force=arb("0.01"))
+        assert force_rest(FLAT, found, arb("0.25"), arb(1), replace(good, box=(arb(0, 10**6),) * 3)) is not None
 
 
 def test_theorem_a3_with_a_smaller_disc() -> None:
@@ -224,6 +235,9 @@ def test_the_disc_counts_all_terms_but_the_first_with_their_absolute_values() ->
         for bound, exact in zip(bounds, (Fraction(11, 4), Fraction(9, 2)), strict=True):
             assert exact <= ends(bound)[1] < exact * Fraction(3, 2)  # the disc stands in a square
         assert _bounds(VectorField([Constant(fmpq(1)) / Variable(0), Variable(1)]), found, arb("0.5")) is None
+        nothing = _bounds(field, replace(found, state=(arb_poly([]),)), arb("0.5"))
+        assert nothing is not None
+        assert nothing[0] == 0
 
 
 def test_a_region_bounds_norms() -> None:

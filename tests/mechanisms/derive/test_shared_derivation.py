@@ -101,3 +101,12 @@ def test_a_divisor_that_the_derivation_loses_is_refused_where_it_vanishes() -> N
         shift(nothing)
     with pytest.raises(MechanismError, match="with the values of the parameters"):
         with_numbers(common, nothing)
+
+
+def test_a_number_that_is_no_rational_is_not_put_in() -> None:
+    rod = load("rod")
+    odd = replace(rod, parameters=tuple((n, parse_formula("sqrt(2)", {}) if n == "l" else v) for n, v in rod.parameters))
+    with_one = with_numbers(shared(rod, "l", "mu"), odd)
+    assert [name for name, _ in with_one.numbers] == ["mu"]
+    with working_bits(64):
+        assert not slip_programs(with_one).numbers.on([arb(0), arb(1), arb(0), arb(2), arb(0), arb(0)]).p.is_finite()
