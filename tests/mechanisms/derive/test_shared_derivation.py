@@ -105,7 +105,9 @@ def test_a_divisor_that_the_derivation_loses_is_refused_where_it_vanishes() -> N
 
 def test_a_number_that_is_no_rational_is_not_put_in() -> None:
     rod = load("rod")
-    odd = replace(rod, parameters=tuple((n, parse_formula("sqrt(2)", {}) if n == "l" else v) for n, v in rod.parameters))
+    odd = replace(
+        rod, parameters=tuple((n, parse_formula("sqrt(2)", {}) if n == "l" else v) for n, v in rod.parameters)
+    )
     with_one = with_numbers(shared(rod, "l", "mu"), odd)
     assert [name for name, _ in with_one.numbers] == ["mu"]
     with working_bits(64):
