@@ -24,10 +24,10 @@ def test_every_row_has_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mechanism, "APPROACH_ROWS", 1)
     steps: list[str] = []
     report = mechanism.run(progress=steps.append)
-    assert len(report.rows) == 22
+    assert len(report.rows) == 23
     assert all(row.figure is not None and row.figure > 0 for row in report.rows)
     assert "the fold" in str(report)
-    assert len(json.loads(json.dumps(report.to_json()))["rows"]) == 22
+    assert len(json.loads(json.dumps(report.to_json()))["rows"]) == 23
     assert "critical friction" in steps
 
 
