@@ -27,20 +27,22 @@ from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tube
-from gspot_verified.numbers.balls import approximate, ball_text
+from gspot_verified.numbers.balls import approximate, ball_text, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
 _STEPS = 12  # of Newton's method: a limit of effort
+_REACH_BITS = 30  # of how far the other spot was followed: any number is correct, it is rounded towards the fold
 
 
 @dataclass(frozen=True, slots=True)
 class Fold(NoTruthValue, Written):
     """Exactly one fold: at one value of the parameter in ``value``, the continued spot meets another one.
 
-    ``opens`` = 1: both are there for larger values up to ``reach``, none of the two for smaller ones; -1: the other
-    way round. ``point`` encloses the state at the fold; in the result of a sweep angles are counted from 0.
+    ``opens`` = 1: both are there for larger values up to ``reach``, as far as both were followed, none of the two for
+    smaller ones; -1: the other way round. ``point`` encloses the state at the fold; in the result of a sweep angles are
+    counted from 0.
     """
 
     ask: ClassVar[str] = ".value encloses the parameter at the fold"
@@ -95,7 +97,8 @@ def fold_next_to(system: ParametricSystem, equations: Equations, tube: Tube, end
     short = proved_tube(curve, (cut.ends[0],), (cut.ends[1],), Origin.of(arc))
     if short is None or not _same_curve(arc.tube, short.tube):
         return None
-    return _fold(system, short, along, cut.direction, end)
+    far = _other_end(curve, arc, zero[along], cut.ends)
+    return None if far is None else _as_far_as_both(_fold(system, short, along, cut.direction, end), far[len(others)])
 
 
 def turned(system: ParametricSystem, along: int) -> Equations:
@@ -168,6 +171,27 @@ def _on_curve(tube: Tube, value: arb, known: list[arb]) -> bool:
 def _same_curve(tube: Tube, part: Tube) -> bool:
     middle = ((part.lower[0] + part.upper[0]) / 2,)
     return tube.holds_at(middle, part.zero_at(middle))
+
+
+def _other_end(curve: Equations, arc: OnTube, start: arb, ends: tuple[fmpq, fmpq]) -> list[arb] | None:
+    """The curve where the tube ends on the other side of the fold, which lies between ``ends``."""
+    tube = arc.tube
+    if not (start < arb(ends[0]) or start > arb(ends[1])):
+        return None
+    place = tube.upper if start < arb(ends[0]) else tube.lower
+    at = proved_tube(curve, place, place, Origin.of(arc))
+    if at is None or not tube.holds_at(place, at.tube.zero_at(place)):
+        return None
+    return at.tube.zero_at(place)
+
+
+def _as_far_as_both(fold: Fold, other: arb) -> Fold | None:
+    """The fold with a reach to which the other spot was followed, too: as far as the parameter is ``other``."""
+    low, high = fold.bounds()
+    with working_bits(_REACH_BITS):
+        bound = _rational(other.lower() if fold.opens > 0 else other.upper())
+    reach = min(fold.reach, bound) if fold.opens > 0 else max(fold.reach, bound)
+    return replace(fold, reach=reach) if (high < reach if fold.opens > 0 else reach < low) else None
 
 
 def _fold(system: ParametricSystem, short: OnTube, along: int, direction: int, end: fmpq) -> Fold:

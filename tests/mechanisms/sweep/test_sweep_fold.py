@@ -22,6 +22,7 @@ from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_findings import equations
 from gspot_verified.mechanisms.sweep.sweep_fold import (
     Fold,
+    _as_far_as_both,
     _on_curve,
     _widened,
     fold_next_to,
@@ -35,7 +36,7 @@ from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.sweep.sweep_result import _inner
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import OnTube, Tube
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 
 ROD = "falling rod of Génot and Brogliato"
@@ -221,6 +222,45 @@ def test_the_direction_of_the_curve_is_not_that_of_the_tubes_line(monkeypatch: p
     assert fold is not None
     assert fold.value.contains(0)
     assert (fold.opens, fold.reach) == (1, fmpq(1, 8))
+
+
+def test_both_spots_are_there_as_far_as_the_fold_says() -> None:
+    """k(q) = e^q - q - 1 - e^(-20 (q + 8/5))/1000 has its largest value for q < 0, 0.91, near q = -1.78: the one spot
+    is there up to k = 1.19 and beyond, the other is not. Only the one was asked how far it goes."""
+    p = "exp(q) - q - 1 - exp(-20*(q + 8/5))/1000 - k"
+    mechanism = family(p, "11/10")
+    system = parametric_system(mechanism, ["k"], ["x", "u"])
+    end = fmpq(119, 100)
+    with working_bits(80):
+        rate = fmpq(1, 2)  # nearly dq/dk there
+        centre = tuple(fmpq(1) if i == 1 else fmpq(0) for i in range(4))
+        near = Origin((end,), (*centre, fmpq(109, 100), fmpq(0)), (*[(fmpq(0),)] * 4, (rate,), (fmpq(0),)))
+        last = proved_tube(equations(system), (end,), (end + fmpq(1, 100),), near)
+        assert last is not None
+        fold = fold_next_to(system, equations(system), last.tube, end, 8)
+    assert fold is not None
+    assert fold.value.contains(0) or abs(approximate(fold.value.to_ball())) < 1e-10
+    assert fold.opens == 1
+    assert fmpq(1, 2) < fold.reach < fmpq(9, 10)
+
+
+@pytest.mark.parametrize(("bounds", "opens", "other", "reach"), [
+    ((-1, 1), 1, arb(3, 1), fmpq(2)),
+    ((-1, 1), 1, arb(30, 1), fmpq(8)),
+    ((-1, 1), -1, arb(-3, 1), fmpq(-2)),
+    ((-1, 1), -1, arb(-30, 1), fmpq(-8)),
+    ((-1, 1), 1, arb(1, 1), None),
+    ((-1, 1), -1, arb(0, 1), None),
+])  # fmt: skip
+def test_the_reach_is_that_of_both(bounds: tuple[int, int], opens: int, other: arb, reach: fmpq | None) -> None:
+    known = Fold("k", Dyadic(*bounds, -2), opens, fmpq(8 * opens), ())
+    found = _as_far_as_both(known, other)
+    if reach is None:
+        assert found is None
+    else:
+        assert found is not None
+        assert abs(found.reach - reach) < fmpq(1, 1000)
+        assert found.reach * opens <= reach * opens
 
 
 @pytest.mark.parametrize("size", [0.0, 1.0])
