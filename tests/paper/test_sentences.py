@@ -63,6 +63,9 @@ PROPERTIES = {
     "imperfections": "imperfections",
     r"mechanical\s+degrees\s+of\s+freedom": "degrees of freedom",
     "scales like": "scale",
+    r"general class\s+of": "general class",
+    "sensitivity": "sensitiv",
+    r"smooth both in": "smooth both in",
 }
 """A property that a sentence claims, where it is no part of a name, and how a row says it: qualifying words too."""
 

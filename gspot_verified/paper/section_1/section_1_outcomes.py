@@ -25,6 +25,11 @@ JORDAN = "(K + alpha2*q*s)*E"
 LEAVES, G_SPOT = "leaves", "G-spot"
 FOURTH = {"alpha1": "-w", "alpha2": "m", "alpha3": "-u-w"}
 """α_1, α_3 < 0 in none of the Cases I, II, III: α_2 > 0 and α_3 < α_1."""
+RESTS = (
+    ({"alpha1": -1, "alpha2": -1, "alpha3": 0}, {"p": "q*E", "b": "K + q*E"}),
+    ({"alpha1": 0, "alpha2": -1, "alpha3": -1}, {"p": "q + 0*E", "b": "K*E - q"}),
+)
+"""α_1 α_3 = 0: α's and a motion, with E = e^(-s), that ends at a point other than the G-spot; q is p(0)."""
 LINE = {"alpha1": "-w", "alpha3": "u"}
 """Signs with which the states of one line alone go to the G-spot."""
 
@@ -65,6 +70,19 @@ def ends_by_the_solution() -> bool | None:
     """Whether every state leaves or goes to the G-spot, for all signs of α_1 and α_3."""
     ends = [end_of(first, third, apart) for first, third, apart in product(SIGNS, SIGNS, (True, False))]
     return None if None in ends else solutions_are_right()
+
+
+def others_end_elsewhere() -> bool | None:
+    """Whether both motions of ``RESTS`` solve Gspot1 and Gspot2, for every K, and end at a point with b not 0."""
+    answers = []
+    for alphas, texts in RESTS:
+        motion = {name: ALGEBRA.read(text) for name, text in texts.items()}
+        numbers = {name: ALGEBRA.constant(value) for name, value in alphas.items()}
+        for name, rate in _rates().items():
+            slope = ALGEBRA.derivative(motion[name], {"E": -_SYMBOLS["E"]})
+            answers.append((slope - ALGEBRA.substitute(rate, numbers | motion)).is_zero())
+        answers.append(not ALGEBRA.substitute(motion["b"], {"E": ALGEBRA.constant(0)}).is_zero())
+    return all(answers)
 
 
 def none_leaves_in_the_cases() -> bool | None:
@@ -122,9 +140,13 @@ def _outcomes() -> Entry:
         "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot, which it does in a finite time t; in Cases I, "
         "II and III it does not leave",
         Rung.EXACT.check(
-            "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever; t",
+            "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever; t; "
+            "two solutions for α_1 α_3 = 0",
             all_of(
-                [ends_by_the_solution(), p_is_an_exponential(), time_is_an_exponential(), none_leaves_in_the_cases()]
+                [
+                    *(ends_by_the_solution(), p_is_an_exponential(), time_is_an_exponential()),
+                    *(none_leaves_in_the_cases(), others_end_elsewhere()),
+                ]
             ),
         ),
         Rung.EXACT.check(
@@ -132,8 +154,8 @@ def _outcomes() -> Entry:
             "α_1; in the Cases both are negative, by the trace and the determinant",
             all_of([bounded_states_go_to_the_g_spot(), in_finite_time(), *map(is_stable, CASES)]),
         ),
-        note="For α_1 = 0 > α_3 and for α_3 = 0 > α_1 there is a fourth outcome: with α = (-1, -1, 0) p tends to 0 and "
-        "b to b(0) - p(0); with α = (0, -1, -1) p is constant and b tends to -p.",
+        note="For α_1 α_3 = 0 there can be a fourth outcome: with α = (-1, -1, 0) p tends to 0 and b to b(0) - p(0); "
+        "with α = (0, -1, -1) p is constant and b tends to -p.",
     )
 
 

@@ -28,6 +28,8 @@ FRICTION = {"top": "(1 + 3*q)^2", "bottom": "9*q*(1 - q)"}
 """μ² at p = 0 as a quotient, q = C²."""
 THRESHOLD, BOUND = fmpq(3, 7), fmpq(64, 27)
 """q at which α_1 = α_3, and μ² there: μ = 8/(3 sqrt 3)."""
+PLACE_OF_LEAST, LEAST = fmpq(1, 5), fmpq(16, 9)
+"""q at which α_1 = 0, and μ² there, the least for which p = 0 somewhere: μ = 4/3."""
 AT = (fmpq(2), fmpq(9, 4))
 """μ at which the library's own G-spot is classified."""
 MECHANISM = "falling rod of Génot and Brogliato"
@@ -92,12 +94,31 @@ def signs_of_case_ii() -> bool | None:
     if not (third.derivative("C").is_zero() and rising_signs(second) and rising_signs(-third)):
         return False
     above = third * ALGEBRA.read("1 - C^2") - first  # S C (α_3 - α_1)/w, S² = 1 - C²
-    return all(rising_signs(_beyond_the_threshold(value)) for value in (above, -first))
+    return all(
+        rising_signs(_at_square(value, ALGEBRA.constant(THRESHOLD) + _SYMBOLS["x"])) for value in (above, -first)
+    )
 
 
-def _beyond_the_threshold(value: fmpq_mpoly) -> fmpq_mpoly:
-    """An even polynomial in C at C² = THRESHOLD + x."""
-    square = ALGEBRA.constant(THRESHOLD) + _SYMBOLS["x"]
+def others_are_in_no_case() -> bool | None:
+    """Whether, for C, S > 0, p = 0 needs μ² >= LEAST, and all other places where b = 0 too are in no Case.
+
+    For w > 0: α_1 > 0 for q < PLACE_OF_LEAST, and α_3 < α_1 for q < THRESHOLD, where α_2 > 0 as beyond it; for w < 0:
+    α_3 > 0.
+    """
+    first, second, third = (ALGEBRA.read(text) for text in AT_THE_SPOT.values())
+    top, bottom = (ALGEBRA.read(text) for text in FRICTION.values())
+    square = top - LEAST * bottom - (_SYMBOLS["q"] / PLACE_OF_LEAST - 1) ** 2
+    below = first - third * ALGEBRA.read("1 - C^2")  # S C (α_1 - α_3)/w, S² = 1 - C²
+    signs = [
+        rising_signs(_at_square(first, ALGEBRA.constant(PLACE_OF_LEAST) - _SYMBOLS["x"])),
+        rising_signs(_at_square(below, ALGEBRA.constant(THRESHOLD) - _SYMBOLS["x"])),
+        rising_signs(second) and rising_signs(-third),
+    ]
+    return square.is_zero() and all(signs)
+
+
+def _at_square(value: fmpq_mpoly, square: fmpq_mpoly) -> fmpq_mpoly:
+    """An even polynomial in C, with this in place of C²."""
     powers = ALGEBRA.coefficients(value, "C")
     return sum((part * square ** (power // 2) for power, part in powers.items()), start=ALGEBRA.constant(0))
 
@@ -135,6 +156,7 @@ def _rod() -> Entry:
         "the α's": alphas_at_the_spot(),
         "their signs": signs_of_case_ii(),
         "one place": all_of([friction_is_that_of_p(), friction_rises()]),
+        "the other places": others_are_in_no_case(),
     }
     return Section("Section 1").settled(
         "1-rod",
@@ -143,15 +165,17 @@ def _rod() -> Entry:
         "The falling rod of Génot and Brogliato, length 1, in positive slip with its angle rising: for "
         "every μ > 8/(3 sqrt 3) there is one place with cos² > 3/7 where p = b = 0, and it is in Case II",
         Rung.EXACT.check(
-            "b, p and the α's by the rod's geometry; their signs by positive symbols; μ at p = 0 rises with cos²",
+            "b, p and the α's by the rod's geometry; their signs by positive symbols; μ at p = 0 rises with cos²; the "
+            "signs at the other places",
             all_of(steps.values()),
         ),
         Rung.POINTS.check(
             f"the library's own derivation and the G-spot in balls, μ = {', '.join(map(str, AT))}",
             all_of(classified(friction) for friction in AT),
         ),
-        note="8/(3 sqrt 3) is where α_1 = α_3. For 4/3 < μ < 8/(3 sqrt 3) both places are in no Case: α_2 > 0 and "
-        "α_3 < α_1, or α_1 > 0. A G-spot with a falling angle is in no Case: α_1 > 0 or α_3 > 0.",
+        note="8/(3 sqrt 3) is where α_1 = α_3, and for μ < 4/3 there is no G-spot. For 4/3 < μ < 8/(3 sqrt 3) both "
+        "places with a rising angle are in no Case: α_1 > 0 where cos² < 1/5, and α_2 > 0, α_3 < α_1 at the other one. "
+        "A G-spot with a falling angle is in no Case: α_3 > 0.",
     )
 
 

@@ -122,7 +122,7 @@ def _poisson() -> Entry:
         ),
         corrected="The normal impulse in restitution is r times that in compression",
         note="The sentence before has the sign of works: the work of λ_N in restitution is -r² times that in "
-        "compression, which is negative.",
+        "compression, which is negative; what is lost in compression, as it says, is positive.",
     )
 
 
@@ -218,6 +218,18 @@ def slips_to_the_end() -> bool | None:
     return lifts and rising_signs(fast) and rising_signs(-slow)
 
 
+def twice_the_work(impulse: str) -> fmpq_mpoly:
+    """2 p times the integral of v over the normal impulse P, where ``impulse`` is p P, in slip: v = -m + p P."""
+    end = ALGEBRA.read(impulse)
+    return end**2 - 2 * _SYMBOLS["m"] * end
+
+
+def works_have_the_same_bound() -> bool | None:
+    """Whether in slip the impulse of restitution that is r times has the work that is -r² times: the energetic law."""
+    compression, whole = twice_the_work("m"), twice_the_work("(1 + r)*m")
+    return rising_signs(-compression) and (whole - compression + _SYMBOLS["r"] ** 2 * compression).is_zero()
+
+
 def slips_by_the_impulses() -> bool | None:
     """Whether p u is BOUND at first where u is 0 at the end, from the changes by a whole impulse P with T = -μ P.
 
@@ -249,15 +261,15 @@ def _ends() -> Entry:
         "in slip where p u is above (μA - B)(1 + r) m, and in stick where it is below; so where of two impacts with "
         "the same v one lifts off in slip and one in stick, the one in stick has the smaller u",
         Rung.EXACT.check(
-            "along the normal impulse: v and u at the end of slip; v rises in stick",
-            all_of([slips_to_the_end(), rises_in_stick()]),
+            "along the normal impulse: v and u at the end of slip, and the works; v rises in stick",
+            all_of([slips_to_the_end(), works_have_the_same_bound(), rises_in_stick()]),
         ),
         Rung.EXACT.check(
             "from the whole impulses of the impact; v rises in stick",
             all_of([slips_by_the_impulses(), rises_in_stick()]),
         ),
-        note="For small p > 0 B is near C/μ, and B < μA as AC - B² > 0 (1-mass-matrix). In slip v rises along a line, "
-        "so that the energetic law has the same bound.",
+        note="For small p > 0 B is near C/μ, and B < μA (1-impact-slope). In slip v rises along a line, so that the "
+        "energetic law has the same bound.",
     )
 
 

@@ -234,7 +234,7 @@ def _case_ii() -> Entry:
         "or, close to ν = 1, after it (3-case-II-starts)",
         note="As ε → 0, at leading order, the starts that pass and are not attracted shrink to the trivial solution: "
         "at a fixed ν < 1 contact is lost before p = 0 once ε is small. On the slow manifold, for every β in (0, 1) "
-        "and every ε, the impact is that of C_1 < 0 (C-cases-I-II). The paper shows no picture of Case II.",
+        "and every ε, the impact is that of C_1 < 0 (C-cases-I-II). The paper shows no simulation of Case II.",
     )
 
 

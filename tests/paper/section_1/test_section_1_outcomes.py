@@ -50,3 +50,21 @@ def test_the_fourth_combination_alone_lifts_off(monkeypatch: pytest.MonkeyPatch)
                 patch.setitem(ledger.FOURTH, name, text)
             assert ledger.fourth_lifts_off() is False
             assert ledger.fourth_goes_above() is False or "alpha3" in other
+
+
+@pytest.mark.parametrize(
+    ("place", "motion", "holds"),
+    [
+        (0, {"p": "q*E", "b": "K + q*E"}, True),
+        (0, {"p": "q*E", "b": "q*E"}, False),  # a motion to the G-spot
+        (0, {"p": "q*E", "b": "K + 2*q*E"}, False),
+        (1, {"p": "q*E", "b": "K*E - q"}, False),
+    ],
+)
+def test_motions_that_end_at_another_point(
+    monkeypatch: pytest.MonkeyPatch, place: int, motion: dict[str, str], holds: bool
+) -> None:
+    rests = list(ledger.RESTS)
+    rests[place] = (rests[place][0], motion)
+    monkeypatch.setattr(ledger, "RESTS", tuple(rests))
+    assert ledger.others_end_elsewhere() is holds

@@ -34,6 +34,27 @@ def test_alphas_by_differences(square: float) -> None:
     assert (first < third < 0 < second) is (square > 3 / 7)
 
 
+@pytest.mark.parametrize(
+    ("name", "wrong"),
+    [
+        ("LEAST", fmpq(2)),
+        ("PLACE_OF_LEAST", fmpq(1, 4)),
+        ("THRESHOLD", fmpq(1, 2)),
+        ("AT_THE_SPOT", {**ledger.AT_THE_SPOT, "2 α_2/w³": "-C"}),
+        ("AT_THE_SPOT", {**ledger.AT_THE_SPOT, "C α_3/(S w)": "2 + 0*C"}),
+    ],
+)
+def test_the_other_places_are_in_no_case(monkeypatch: pytest.MonkeyPatch, name: str, wrong: object) -> None:
+    assert ledger.others_are_in_no_case() is True
+    monkeypatch.setattr(ledger, name, wrong)
+    assert ledger.others_are_in_no_case() is False
+
+
+def test_the_least_friction_with_a_place_where_p_vanishes() -> None:
+    least = min((1 + 3 * q) ** 2 / (9 * q * (1 - q)) for q in (k / 1000 for k in range(1, 1000)))
+    assert least == pytest.approx(float(ledger.LEAST.p) / float(ledger.LEAST.q))
+
+
 def test_the_threshold() -> None:
     assert fmpq(64, 27) == ledger.BOUND
     assert math.sqrt(64 / 27) == pytest.approx(8 / (3 * math.sqrt(3)))

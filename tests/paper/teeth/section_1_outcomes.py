@@ -17,6 +17,8 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger, "SIGNS", lambda honest: (*honest, 0)),
         Bite("hypothesis", ledger.RATES, "p", lambda honest: f"{honest} + b"),
         Bite("hypothesis", section_1_cases.CASES["1-case-II"], "alpha3", lambda _: "w"),
+        Bite("hypothesis", ledger, "RESTS", lambda honest: (honest[0], (honest[0][0], honest[1][1]))),
+        Bite("hypothesis", ledger, "RESTS", lambda honest: ((honest[0][0], {"p": "q*E", "b": "q*E"}), honest[1])),
         Bite("order", ledger, "JORDAN", replaced("q*s", "q*s^2")),
     ),
     "1-attracting-signs": (

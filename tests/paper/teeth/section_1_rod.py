@@ -16,6 +16,8 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.AT_THE_SPOT, "2 α_2/w³", unseen_at("C", (0, 1))),
         Bite("hypothesis", ledger, "THRESHOLD", lambda _: fmpq(2, 7)),
         Bite("hypothesis", ledger, "BOUND", lambda _: fmpq(16, 9)),
+        Bite("hypothesis", ledger, "PLACE_OF_LEAST", lambda _: fmpq(1, 4)),
+        Bite("hypothesis", ledger, "LEAST", lambda _: fmpq(2)),
         Bite("hypothesis", ledger, "INERTIA", lambda _: fmpq(1, 3)),
         NotApplicable("order", "exact identities; no order of an error occurs"),
     ),
