@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from flint import fmpq, fmpq_mpoly
+from flint import arb, fmpq, fmpq_mpoly
 
+from gspot_verified.compliant.model.normal_form import compliant_model
+from gspot_verified.compliant.motion.run import events
+from gspot_verified.numbers.balls import certainly_less
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
+from gspot_verified.paper.numerics.paper_state import paper_state
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
 from gspot_verified.scenes.scene.file import load_scene
 
@@ -24,6 +28,7 @@ BETAS = (fmpq(1, 4), fmpq(1, 2), fmpq(9, 10))
 SIGN = 1
 """Case II: that of α_2."""
 NU, EPSILON = fmpq(1, 4), fmpq(1, 100)
+DIGITS = 12
 
 
 def along(value: fmpq_mpoly) -> fmpq_mpoly:
@@ -87,6 +92,16 @@ def runs_do_not_touch_down() -> bool | None:
     return all_of(answers)
 
 
+def begins_as_stated(beta: fmpq) -> bool | None:
+    """Whether the exact solution of a run loses contact with p > 0, b > 0 and y < 0."""
+    model = compliant_model(beta, EPSILON, alpha_2=SIGN)
+    first = next(iter(events(model, paper_state(model, NU), DIGITS).events), None)
+    if first is None:
+        return None
+    state = first.state
+    return all_of(certainly_less(arb(0), value) for value in (state.p, state.b, -state.Y))
+
+
 def _persists() -> Entry:
     return Section("Section 3").settled(
         "3-flight-persists",
@@ -103,11 +118,11 @@ def _persists() -> Entry:
         ),
         Rung.POINTS.check(
             f"certified runs with α_2 = {SIGN}, ε = {EPSILON}, ν = {NU}, β = "
-            f"{', '.join(map(str, BETAS))}: lift-off, and no other change of phase until t = 1",
-            runs_do_not_touch_down(),
+            f"{', '.join(map(str, BETAS))}: lift-off, by the exact solution with p > 0, b > 0 and y < 0, and no other "
+            "change of phase until t = 1",
+            all_of([runs_do_not_touch_down(), *map(begins_as_stated, BETAS)]),
         ),
-        note="These runs lift off before p = 0, where b has passed through 0: 3-case-II-starts. Of b < 0 at lift-off "
-        "nothing is said.",
+        note="Of b < 0 at lift-off nothing is said.",
     )
 
 

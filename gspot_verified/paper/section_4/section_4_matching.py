@@ -221,7 +221,7 @@ def _exponents() -> Entry:
             "(-t)^β with t = δ² s; λ = -b'/α_3, z = -ε² λ, y = 2 z, v = y' with a factor δ^(-2) for each derivative",
             chain,
         ),
-        note="They are smaller where Θ or its derivative vanishes: at β = 1, Θ = -τ, v has no term of this order.",
+        note="They are smaller where Θ, Θ' or Θ'' vanishes: at β = 2, Θ = τ^2, those of b, y, z and λ_N are at s = 0.",
     )
 
 
@@ -246,10 +246,8 @@ def _table() -> Entry:
         r"2\beta/3,\ (2\beta+2)/3,\ (2\beta+4)/3,\ 2/3 \text{ at } \beta=0.5,\ 1.5,\ 2.5",
         "The theoretical exponents of Table 1 are 2β/3, (2β+2)/3, (2β+4)/3 and 2/3 at β = 1/2, 3/2 and 5/2, rounded to "
         "the printed decimals",
-        Rung.EXACT.check("each of the twelve is the stated formula within half a unit", all(within) or None),
-        Rung.EXACT.check(
-            "the exponents of bhat_inner and the recovery formulas in decimals, rounded", all(rounded) or None
-        ),
+        Rung.EXACT.check("each of the twelve is the stated formula within half a unit", all(within)),
+        Rung.EXACT.check("the exponents of bhat_inner and the recovery formulas in decimals, rounded", all(rounded)),
         note="The measured values, part (a) of the table: entries 3-table-1-b-1_2 and so on.",
     )
 

@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
-import pytest
+from dataclasses import replace
+from typing import Any, NamedTuple
 
+import pytest
+from flint import arb, fmpq
+
+from gspot_verified.compliant.model.normal_form import compliant_model
+from gspot_verified.compliant.motion.run import events
+from gspot_verified.paper.numerics.paper_state import paper_state
 from gspot_verified.paper.section_3 import flight_in_case_ii as ledger
+
+START = paper_state(compliant_model(fmpq(1, 2), ledger.EPSILON, alpha_2=ledger.SIGN), ledger.NU)
+
+
+class Run(NamedTuple):
+    """A run of which the events alone are looked at."""
+
+    events: tuple[Any, ...]
 
 
 @pytest.mark.parametrize("line", ["1", "1 - u", "1 - 2*rate*u", "2 - rate*u", "-rate*u", "1 + rate*u", "w - rate*u"])
@@ -34,6 +49,7 @@ def test_each_equation_of_the_free_motion_counts(monkeypatch: pytest.MonkeyPatch
 
 def test_what_is_run_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ledger, "runs_do_not_touch_down", lambda: True)
+    monkeypatch.setattr(ledger, "begins_as_stated", lambda _: True)
     runs = ledger.ENTRIES["3-flight-persists"]().checks[-1].what
     assert "with α_2 = 1, ε = 1/100, ν = 1/4, β = 1/4, 1/2, 9/10: lift-off" in runs
 
@@ -58,3 +74,16 @@ def test_a_falling_b_ends_the_flight(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ledger, "SIGN", -1)
     assert ledger.never_closes() is False
     assert ledger.motion_increases() is False
+
+
+def test_the_flights_that_are_run_have_the_hypotheses(monkeypatch: pytest.MonkeyPatch) -> None:
+    beta = fmpq(1, 2)
+    assert ledger.begins_as_stated(beta)
+    found = events(compliant_model(beta, ledger.EPSILON, alpha_2=ledger.SIGN), START, ledger.DIGITS)
+    assert found.verdict.statement == "the flight never ends"
+    for wrong in ({"p": arb(-1)}, {"b": arb(-1)}, {"Y": arb(1)}):
+        state = replace(found.events[0].state, **wrong)
+        monkeypatch.setattr(ledger, "events", lambda *_, state=state: Run((replace(found.events[0], state=state),)))
+        assert ledger.begins_as_stated(beta) is False
+    monkeypatch.setattr(ledger, "events", lambda *_: Run(()))
+    assert ledger.begins_as_stated(beta) is None
