@@ -84,12 +84,12 @@ def _order(parts: Parts) -> int:
 def _series(name: str) -> Entry:
     identifier = f"5-example-{name}"
     this = Claim(ALGEBRA, PRINTED[identifier])
-    what = {"b": "δ^6 (its error term: entry 5-example-b-error)"}.get(name, "the stated error term")
+    what = {"b": "through δ^6 (its error term: entry 5-example-b-error)"}.get(name, "below the stated error term")
     return SECTION.settled(
         identifier,
         {"p": "line 1848", "b": "line 1853", "y": "line 1859", "v": "line 1865", "z": "line 1870"}[name],
         _LATEX[name],
-        f"In the example the expansion of {name} is the printed one, in every coefficient through {what}",
+        f"In the example the expansion of {name} is the printed one, in every coefficient {what}",
         this.check(
             "Theorem 1's recursion with χ as a symbol",
             lambda parts: [parts["series"] - by_recursion(name, _order(parts))],
@@ -158,7 +158,8 @@ def _zbar() -> Entry:
         "lines 1896 to 1906",
         r"\bar z=\epsilon^2(-2-8t-24t^2-\tfrac{368}5t^3+(8+48t)\epsilon+\tfrac{6672}5\epsilon^2"
         r"+O(t^4,\epsilon t^2,\epsilon^2t,\epsilon^3))",
-        "For χ = 1 the expansion of z is the printed polynomial in t and ε, in all three forms",
+        "For χ = 1 the expansion of z is, below the stated errors, the printed polynomial in t and ε, in all three "
+        "forms",
         this.check("Theorem 1's recursion through δ⁶ with t = δ² s, ε = δ³", recursion),
         this.check("power series in (t, ε): all terms below the stated error", direct),
         note="6672/5 = 6912/5 - 48. χ = 0: 5-example-trivial.",

@@ -158,34 +158,40 @@ def _sum(parts: Parts, prefix: str = "") -> dict[str, fmpq_mpoly]:
     return {name: parts[prefix + name] for name in NAMES}
 
 
+def terms_of_the_example(orders: int) -> dict[str, list[fmpq_mpoly]]:
+    """The terms p_n, b_n, ..., λ_n of the extended example, of its series in (t, ε): not scaled."""
+    return {
+        name: [ALGEBRA.coefficient_of(scaled_series(ALGEBRA, name, orders), "delta", n) for n in range(orders)]
+        for name in ("p", "b", "y", "v", "z", "lam")
+    }
+
+
+def summed(of: Parts, left: list[fmpq_mpoly], right: list[fmpq_mpoly], n: int) -> fmpq_mpoly | None:
+    """The sum over the printed indices; ``None`` where they are none."""
+    nothing, at = ALGEBRA.constant(0), {"n": ALGEBRA.constant(n)}
+    total = nothing
+    ends = [_integer(ALGEBRA.substitute(of[end], at)) for end in ("first", "last")]
+    if ends[0] is None or ends[1] is None:
+        return None
+    for k in range(ends[0], ends[1] + 1):
+        here = at | {"k": ALGEBRA.constant(k)}
+        i, j = (_integer(ALGEBRA.substitute(of[side], here)) for side in ("left", "right"))
+        if i is None or j is None or i >= len(left) or j >= len(right):
+            return None
+        total += left[i] * right[j] if min(i, j) >= 0 else nothing
+    return total
+
+
 def orders_of_the_example(parts: Parts, orders: int = 11) -> list[fmpq_mpoly]:
     """The printed terms of order δ^n, with those of the extended example: of its series in (t, ε), not scaled.
 
     α_1 = -1 + χ b with b = δ² b~, α_2 = -1 and α_3 = -3/2, so that (α_1)_n is χ b_(n-2) for n > 0.
     """
     nothing = [ALGEBRA.constant(0)] * orders
-    terms = {
-        name: [ALGEBRA.coefficient_of(scaled_series(ALGEBRA, name, orders), "delta", n) for n in range(orders)]
-        for name in ("p", "b", "y", "v", "z", "lam")
-    }
+    terms = terms_of_the_example(orders)
     chi = _SYMBOLS["chi"]
     a1 = [ALGEBRA.constant(-1), nothing[0], *(chi * value for value in terms["b"][: orders - 2])]
     a2, a3 = ([ALGEBRA.constant(value), *nothing[1:]] for value in (fmpq(-1), fmpq(-3, 2)))
-
-    def total(name: str, left: list[fmpq_mpoly], n: int) -> fmpq_mpoly | None:
-        """The sum over the printed indices; ``None`` where they are none."""
-        found, at = nothing[0], {"n": ALGEBRA.constant(n)}
-        ends = [_integer(ALGEBRA.substitute(parts[f"{name} {end}"], at)) for end in ("first", "last")]
-        if ends[0] is None or ends[1] is None:
-            return None
-        for k in range(ends[0], ends[1] + 1):
-            here = at | {"k": ALGEBRA.constant(k)}
-            i, j = (_integer(ALGEBRA.substitute(parts[f"{name} {side}"], here)) for side in ("left", "right"))
-            if i is None or j is None or max(i, j) >= orders:
-                return None
-            found += left[i] * terms["lam"][j] if min(i, j) >= 0 else nothing[0]
-        return found
-
     found = [ALGEBRA.substitute(parts["p_0"], {"alpha1": a1[0]}) - terms["p"][0]]
     for n in range(orders):
         images = {"alpha1": a1[0], "alpha3": a3[0], "a1n": a1[n], "a2n": a2[n], "l0": terms["lam"][n]}
@@ -193,14 +199,35 @@ def orders_of_the_example(parts: Parts, orders: int = 11) -> list[fmpq_mpoly]:
         images |= {f"{name}1": terms[name][n].derivative("s") for name in "pbyv"}
         images |= {"q1": terms["z"][n - 1].derivative("s") if n else nothing[0], "n": ALGEBRA.constant(n)}
         for left, right, of in (
-            ("P", "r_p", None), ("B", "r_b", ("b", a3)), ("Y", "", None), ("V", "r_v", ("v", terms["p"])),
+            ("P", "r_p", None), ("B", "r_b", ("b ", a3)), ("Y", "", None), ("V", "r_v", ("v ", terms["p"])),
             ("Z", "r_z", None), ("L", "", None),
         ):  # fmt: skip
-            summed = total(*of, n) if of else nothing[0]
-            if summed is None:
+            total = summed(_sum(parts, of[0]), of[1], terms["lam"], n) if of else nothing[0]
+            if total is None:
                 return [ALGEBRA.constant(1)]
             line = parts[left] - (parts[right] if right else nothing[0])
-            found.append(ALGEBRA.substitute(line, images | {"S": summed}))
+            found.append(ALGEBRA.substitute(line, images | {"S": total}))
+    return found
+
+
+def rates_of_the_example(parts: Parts, orders: int = 11) -> list[fmpq_mpoly]:
+    """Eq. xinprime, with the terms of the extended example: of its series in (t, ε), not scaled.
+
+    The components b and v of its state have F = α_2 = -1, G = -α_3 = 3/2, and F = b, G = p. A component f of the state
+    has f_n in δ² f_(n-2)~, as b and p have it: b~ and p~; that of v has δ² v~, two orders later.
+    """
+    nothing = [ALGEBRA.constant(0)] * orders
+    terms = terms_of_the_example(orders)
+    later = {name: [*nothing[:2], *terms[name]][:orders] for name in "pbv"}
+    drift, push = ([ALGEBRA.constant(value), *nothing[1:]] for value in (fmpq(-1), fmpq(3, 2)))
+    found = []
+    for component, f, g in ((terms["b"], drift, push), (later["v"], later["b"], later["p"])):
+        for n in range(orders):
+            total = summed(parts, g, terms["lam"], n)
+            if total is None:
+                return [ALGEBRA.constant(1)]
+            right = ALGEBRA.substitute(parts["right side"], {"fn": f[n], "S": total})
+            found.append(component[n].derivative("s") - right)
     return found
 
 
@@ -265,14 +292,9 @@ def _orders() -> Entry:
 
 def _equations() -> dict[str, fmpq_mpoly]:
     """SpecialBn to specialLn, left minus right."""
-    texts = {
-        "B": "b1 + alpha3*l0 - r0",
-        "Y": "y1 - v0",
-        "V": "v1 - b0 - alpha1*s*l0 - w0",
-        "Z": "-z0 - l0 - q1",
-        "L": "l0 - z0 + y0",
-    }
-    return {name: ALGEBRA.read(text) for name, text in texts.items()}
+    printed = PRINTED["5-orders"]
+    right = {"B": "r0", "V": "w0", "Z": printed["r_z"]}
+    return {name: ALGEBRA.read(f"{printed[name]} - ({right.get(name, '0*s')})") for name in "BYVZL"}
 
 
 def _general_solution(value: fmpq_mpoly) -> fmpq_mpoly:
@@ -311,8 +333,9 @@ def _third_order() -> Entry:
 
 def _monomial() -> Entry:
     this = _claim("5-monomial")
-    operator = ALGEBRA.read("2*b3 + alpha1*s*b1 - alpha3*b0")
     s = _SYMBOLS["s"]
+    known = {name: ALGEBRA.constant(0) for name in ("r0", "r2", "q3", "w0")}
+    operator = ALGEBRA.substitute(ALGEBRA.read(PRINTED["5-third-order"]["third-order_b"]), known)
 
     def explicit(parts: Parts) -> list[fmpq_mpoly]:
         # Both sides have degree at most 6 in k, so seven values of k determine them.
@@ -400,6 +423,13 @@ def _xinprime() -> Entry:
             "the sum for geometric series x^i, y^j is the coefficient of δ^n in their product, for every n",
             lambda parts: [*right_side(parts), *product_of_geometric_series(ALGEBRA, _sum(parts), 0)],
             fault="with λ_n in place of λ_k it is not",
+        ),
+        this.check(
+            "the components b and v of the extended example, every order below 11: the terms of its series in (t, ε), "
+            "without the scaling",
+            rates_of_the_example,
+            Rung.POINTS,
+            fault="with λ_n in place of λ_k it is not satisfied",
         ),
         corrected="ξ_n' = F_n + Σ_{k=0}^n G_(n-k) λ_k: the index of λ is k",
         note="The orders of G and λ_N must have the sum n.",

@@ -99,15 +99,15 @@ def _right_sides() -> Entry:
         "lines 1622 to 1623, 1636 to 1637, 1675 to 1676, 1718 to 1719",
         r"r_{b,2\nu},r_{\xi,2\nu}\in P_\nu,\ r_{b,2\nu+1},r_{\xi,2\nu+1}\in P_{\nu-4};\ "
         r"r_{v,n},r_n:\ P_{\nu+1},\ P_{\nu-3}",
-        "With the terms of lower order in the spaces of Theorem 1, r_b, r_v, r and r_ξ of order n are in the stated "
-        "spaces, for every n",
+        "With the terms that stand in them in the spaces of Theorem 1, r_b, r_v, r and r_ξ of order n, r_ξ with the "
+        "corrected sum of 5-xinprime, are in the stated spaces, for every n",
         Rung.EXACT.check(
             "the indices of the products of two terms, of derivatives and of s times a term, ν a symbol",
             all_of(by_indices(name) for name in CLAIMED),
         ),
         Rung.POINTS.check(f"all monomials for n < {len(ORDERS)}", all_of(by_monomials(name) for name in CLAIMED)),
-        note="r_b and r_v have terms of lower orders of λ and of p of the orders up to n (step 1); r_ξ, with the "
-        "corrected sum of 5-xinprime, has λ_n too (step 3).",
+        note="r_b and r_v have terms of lower orders of λ and of p of the orders up to n (step 1); r_ξ has λ_n too "
+        "(step 3).",
     )
 
 

@@ -31,10 +31,17 @@ STEP_4 = {"order": "n + 2", "highest k": "n", "p": "n", "b": "n", "y": "n - 4", 
 PROOF = {"even": "nu - 9*k", "odd": "nu - 4 - 9*k"}
 """Lines 1566 to 1588: the space P of a product with 2k, or 2k + 1, factors ξ of odd order."""
 COROLLARY = {
-    "even": {"delta": "2*nu + 2", "rho": "nu + 1 - 3*sigma", "epsilon": "2*sigma", "t": "nu + 1 - 3*sigma"},
-    "odd": {"delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "epsilon": "3 + 2*sigma", "t": "nu - 3 - 3*sigma"},
-}
-"""Lines 1803 to 1840, for p: the power of delta in front of s^rho, the exponents rho, and those of epsilon and t."""
+    "even": {
+        "delta": "2*nu + 2", "rho": "nu + 1 - 3*sigma", "delta by rho": "2*nu - 2*rho + 2", "delta by sigma": "6*sigma",
+        "last sigma": "1/3*nu + 1/3", "epsilon": "2*sigma", "t": "nu + 1 - 3*sigma",
+    },
+    "odd": {
+        "delta": "2*nu + 3", "rho": "nu - 3 - 3*sigma", "delta by rho": "2*nu - 2*rho + 3",
+        "delta by sigma": "9 + 6*sigma", "last sigma": "1/3*nu - 1", "epsilon": "3 + 2*sigma", "t": "nu - 3 - 3*sigma",
+    },
+}  # fmt: skip
+"""Lines 1803 to 1840, for p: the power of delta in front of s^rho, the exponents rho, those of delta in front of t^rho,
+the number that sigma does not exceed, and the exponents of epsilon and t."""
 
 
 def times(left: Shift, right: Shift) -> list[tuple[int, int]]:
@@ -240,7 +247,8 @@ def _lemma_orders() -> Entry:
         "5-lemma-orders",
         "thm:expansion, first part",
         r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
-        "f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient f_ξ(ξ*)",
+        "For a function f in C^n, f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient "
+        "f_ξ(ξ*)",
         Page("expansion", (scaling_is_that_of_xi,)).carries(
             this.check(
                 "section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k), and n - 2 - k is 0 at k = n - 2, negative beyond, for every n",
@@ -372,7 +380,10 @@ def printed_powers(parity: int) -> bool | None:
     epsilon = INDICES.read(f"{first} + {step}*sigma")
     time = (INDICES.read(f"2*nu + {total}") - 3 * epsilon) / 2
     same = printed["epsilon"] == epsilon and printed["rho"] == printed["t"] == time
-    return bool(same and printed["delta"] == 2 * time + 3 * epsilon)
+    whole = INDICES.read(f"2*nu + {total} - 2*rho")
+    left = printed["delta by rho"] == whole and printed["delta by sigma"] == 3 * epsilon
+    last = INDICES.substitute(time, {"sigma": printed["last sigma"]})
+    return bool(same and left and last.is_zero() and printed["delta"] == 2 * time + 3 * epsilon)
 
 
 def printed_exponents(parity: int) -> bool | None:
@@ -380,8 +391,12 @@ def printed_exponents(parity: int) -> bool | None:
     printed = printed_sums(parity)
     n_and_front = INDICES.read(f"2*nu + {parity + UNSCALED['p']}")
     rho = INDICES.read(f"nu + {SPACES['p'][parity]} - 3*sigma")
+    by_rho = printed["delta by rho"]
     return bool(
         printed["delta"] == n_and_front
+        and by_rho == n_and_front - 2 * INDICES.symbols["rho"]
+        and printed["delta by sigma"] == INDICES.substitute(by_rho, {"rho": rho})
+        and INDICES.substitute(rho, {"sigma": printed["last sigma"]}).is_zero()
         and printed["rho"] == printed["t"] == rho
         and 3 * printed["epsilon"] == n_and_front - 2 * rho
     )

@@ -29,3 +29,17 @@ def test_the_example_sees_a_wrong_term_of_each_equation(part: str) -> None:
     texts = ledger.PRINTED["5-orders"] | ({part: WRONG[part]} if part else {})
     found = ledger.orders_of_the_example({name: ledger.ALGEBRA.read(text) for name, text in texts.items()})
     assert any(not value.is_zero() for value in found) is bool(part)
+
+
+WRONG_RATE = {
+    "right side": "fn - S", "left": "n - k - 1", "right": "n", "first": "1 + 0*k", "last": "n - 1",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("part", ["", *WRONG_RATE])
+def test_the_example_sees_a_wrong_term_of_the_rate_of_the_state(part: str) -> None:
+    """Without the two other routes, which share the terms that are no sums; "right" is the printed misprint."""
+    texts = ledger.PRINTED["5-xinprime"] | ledger.CORRECTED["5-xinprime"]
+    texts |= {part: WRONG_RATE[part]} if part else {}
+    found = ledger.rates_of_the_example({name: ledger.ALGEBRA.read(text) for name, text in texts.items()})
+    assert any(not value.is_zero() for value in found) is bool(part)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from paper.typed.row import CONSTANTS, Names, Parts, Row, difference, of_side, order_of, rows
 
 from gspot_verified.paper.appendix_a import hypergeometric as appendix
@@ -161,19 +163,21 @@ def _section_5() -> list[Row]:
             )
     for first, parity, highest in ((1818, "even", r"\nu+1"), (1830, "odd", r"\nu-3")):
         named = spaces | {rf"\sum_{{0\leq\sigma\leq({highest})/3}}": "1"}
-        found.append(
-            Row(
-                "5-corollary",
-                parity,
-                COROLLARY[parity],
-                first,
-                first + 10,
-                0,
-                of_side(2),
-                named,
-                lambda p: f"epsilon^({p['epsilon']})*t^({p['t']})",
-            )
+        lowered = highest.replace("+1", "-2").replace("-3", "-6")
+        named |= {rf"\sum_{{\rho={highest},{lowered},...}}": "1", r"\rho": "rho"}
+        by_side: tuple[Callable[[Parts], str], ...] = (
+            lambda p: f"t^rho*delta^({p['delta by rho']})",
+            lambda p: f"delta^({p['delta by sigma']})*t^({p['t']})",
+            lambda p: f"epsilon^({p['epsilon']})*t^({p['t']})",
         )
+        found += [
+            Row(
+                *("5-corollary", f"{parity}, side {k}", COROLLARY[parity], first, first + 10, 0, of_side(k)),
+                names=named,
+                typed=typed,
+            )
+            for k, typed in enumerate(by_side)
+        ]
     system = section_5_outer.PRINTED
     slow = (
         CONSTANTS
