@@ -12,13 +12,20 @@ from flint import fmpq_mpoly
 
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
+from gspot_verified.paper.section_1 import section_1_rigid
 
-ALGEBRA = Algebra("p b r v y alpha1 alpha2 alpha3 LFp LGp LFb LGb LFy LGy LFv LGv c s w g k mu W Y U X")
+ALGEBRA = Algebra("p b r v y alpha1 alpha2 alpha3 LFp LGp LFb LGb LFy LGy LFv LGv c s w g k mu W Y U X F T N lamT B C")
 PRINTED = {"p": "alpha1", "b": "alpha2 - alpha3*r", "y": "v", "v": "b + p*r"}
 DEFINED = {"LFp": "alpha1", "LFb": "alpha2", "LGb": "-alpha3", "LFy": "v", "LFv": "b", "LGv": "p"}
 """What p, b, v and the α's of Sec. 2 are."""
 LAGRANGIAN = {"LGp": "0*p", "LGy": "0*p"}
 """Eqs. lagrangian1 and lagrangian2: the force does not change y and p at once."""
+SYSTEM = {"rate": "F + T*lamT + N*r", "in slip": "F + (N - mu*T)*r"}
+"""Eqs. genTN and genx with G = G_N - μ G_T; T is G_T, N is G_N."""
+COULOMB = {"lamT": "-mu*r"}
+"""In positive slip."""
+ALONG = {"F": "0*F", "T": "B", "N": "C"}
+"""What G_T and G_N do to v: B and C."""
 
 MODEL = {"p": "alpha1", "b": "alpha2 - alpha3*r", "y": "v", "v": "b + p*r"}
 """Eqs. modelsys1 to modelsys4: the α's are constants."""
@@ -257,11 +264,29 @@ def not_pushed_by_both_forces() -> list[fmpq_mpoly]:
     ]
 
 
+def slip_field() -> list[fmpq_mpoly]:
+    """Eq. genTN with λ_T = -μ λ_N less eq. genx, and the factor of λ_N that G_N - μ G_T gives dv/dt less C - μB."""
+    images = {name: ALGEBRA.read(text) for name, text in COULOMB.items()}
+    general, slip = (ALGEBRA.read(SYSTEM[name]) for name in ("rate", "in slip"))
+    parameter = ALGEBRA.substitute(slip.derivative("r"), {name: ALGEBRA.read(text) for name, text in ALONG.items()})
+    return [
+        ALGEBRA.substitute(general, images) - slip,
+        parameter - ALGEBRA.read(section_1_rigid.PRINTED["1-force"]["p"]),
+    ]
+
+
+def parameter_of_two_coordinates() -> bool | None:
+    """Whether L_G v of two coordinates is C - μB, with B and C as inner products of the gradients, times det M."""
+    products = {f"{speed} {force}": MECHANISM.read(text) for speed, force, text in INNER_PRODUCTS}
+    expected = products["v lam"] - MECHANISM.read(FRICTION["mu"]) * products["v lamT"]
+    return bool((painleve_parameter() - expected).is_zero())
+
+
 def _slip_equations() -> Entry:
     this = Claim(ALGEBRA, PRINTED)
 
     def along_the_field(parts: Parts) -> list[fmpq_mpoly]:
-        return [defined(f"LF{name} + r*LG{name}") - parts[name] for name in "pbyv"]
+        return [*slip_field(), *(defined(f"LF{name} + r*LG{name}") - parts[name] for name in "pbyv")]
 
     def sliding_rod(parts: Parts) -> list[fmpq_mpoly]:
         rates = {name: ALGEBRA.read(text) for name, text in NEWTON.items()}
@@ -271,15 +296,22 @@ def _slip_equations() -> Entry:
 
     return Section("Section 2").settled(
         "2-slip-equations",
-        "lines 473 to 476, gensys2 to gensys5",
+        "eqs. genTN, genx, lines 473 to 476, gensys2 to gensys5",
         r"\dot p=\alpha_1,\ \dot b=\alpha_2-\alpha_3\lambda_N,\ \dot y=v,\ \dot v=b+p\lambda_N",
-        "In positive slip p, b, y, v satisfy the four equations, by the definitions of Sec. 2 and the two Lagrangian "
-        "relations",
-        this.check("the derivatives along F + λ_N G", along_the_field),
+        "In positive slip, λ_T = -μ λ_N, eq. genTN is eq. genx with G = G_N - μ G_T, so that L_G v is C - μB; by the "
+        "definitions of Sec. 2 and the two Lagrangian relations p, b, y, v then satisfy eqs. gensys2 to gensys5",
+        this.check(
+            "λ_T = -μ λ_N put into eq. genTN; L_G v with B = L_{G_T} v, C = L_{G_N} v; the derivatives along F + λ_N G",
+            along_the_field,
+        ),
         this.check(
             "the rod that slides, by Newton's law: in every state of this mechanism; the factor G_N - μ G_T of its λ_N",
             sliding_rod,
             Rung.POINTS,
+        ),
+        Rung.POINTS.check(
+            "the equations of motion of two coordinates: L_G v is C - μB, with B and C by M^-1",
+            parameter_of_two_coordinates(),
         ),
     )
 

@@ -14,9 +14,9 @@ from gspot_verified.paper.checks.identities import Algebra
 ALGEBRA = Algebra("p b t L m b0 chi alpha1 alpha2 alpha3")
 _SYMBOLS = ALGEBRA.symbols
 RATES = {"p": "alpha1 + chi*b", "b": "alpha2 - alpha3*L"}
-"""newex1 and newex2 in slip."""
+"""newex1 and newex2 in positive slip."""
 BALANCE = "b + p*L"
-"""dv/dt of newex4 in slip."""
+"""dv/dt of newex4 in positive slip."""
 NOT_ZERO = ("chi", "alpha1", "alpha2")
 
 
@@ -70,12 +70,12 @@ def _no_trivial() -> Entry:
         "2-no-trivial",
         "lines 708 to 712",
         r"\chi=1:\ \text{there is no such trivial solution}",
-        "In slip with contact the extended example has no solution with v = 0 and constant y and z that passes p = 0, "
-        "for all χ, α_1 and α_2 other than 0",
+        "In positive slip with contact the extended example has no solution with v = 0 and constant y and z that "
+        "passes p = 0, for all χ, α_1 and α_2 other than 0",
         Rung.EXACT.check("newex4 with v = 0, derived twice along newex1 and newex2", by_derivatives()),
         Rung.EXACT.check("b as a line in t, p from newex4, put into newex1", by_the_line()),
-        note="With constant y and z there is a state of rest for χ not 0, b = -α_1/χ, where p is not 0. For χ = 0: "
-        "2-trivial.",
+        note="With constant y and z there is a state of rest for χ and α_3 not 0, b = -α_1/χ, λ_N = α_2/α_3 and "
+        "p = α_1 α_3/(χ α_2), which is not 0. For χ = 0: 2-trivial.",
     )
 
 

@@ -42,6 +42,17 @@ def relaxes(phase: str) -> bool | None:
     return (rate + DECAY[phase] * _SYMBOLS["d"]).is_zero() and rising_signs(apart)
 
 
+def leaves_the_other_phase(phase: str) -> bool | None:
+    """Whether z, from a place d > 0 beyond y where the other phase rules, goes to y at a rate that stays above x/ε.
+
+    With y as above: z = -x - d in flight rises, z = x + d in contact falls; the rate times ε is at least x.
+    """
+    other = "flight" if phase == "contact" else "contact"
+    side, y = (1, -_SYMBOLS["x"]) if phase == "contact" else (-1, _SYMBOLS["x"])
+    place = {"y": y, "z": y - side * _SYMBOLS["d"]}
+    return rising_signs(side * ALGEBRA.substitute(ALGEBRA.read(RATE[other]), place) - _SYMBOLS["x"])
+
+
 def of_the_springs(phase: str) -> bool | None:
     """The same from springs and damper: k_1 = k_2 = 1/ε², c = 1/ε, so c z' times ε² is ε z'."""
     force = ALGEBRA.substitute(
@@ -56,17 +67,19 @@ def _relaxation() -> Entry:
         "2-relaxation",
         "lines 555 to 557",
         r"z\to y/2\ (y<0),\qquad z\to0\ (y>0)",
-        "At a fixed y < 0 the deformation z of the surface relaxes to y/2 like e^(-2t/ε), and at a fixed y > 0 to 0 "
-        "like e^(-t/ε)",
+        "At a fixed y < 0 the deformation z of the surface relaxes to y/2, in contact like e^(-2t/ε), and at a fixed "
+        "y > 0 to 0, in flight like e^(-t/ε), from every start",
         Rung.EXACT.check(
-            "eqs. compl1 and compl2: the deviation of z decays at these rates, for every y",
-            all_of(relaxes(phase) for phase in RATE),
+            "eqs. compl1 and compl2: the deviation of z decays at these rates, for every y; from the other phase, "
+            "z < y < 0 or z > y > 0, z comes to y at a rate of at least |y|/ε",
+            all_of([*(relaxes(phase) for phase in RATE), *(leaves_the_other_phase(phase) for phase in RATE)]),
         ),
         Rung.EXACT.check(
             "eqs. compliant1 to compliant3: the springs balance there, and the slope of the force over c is the rate",
             all_of(of_the_springs(phase) for phase in SPRINGS),
         ),
-        note="A start with z < y < 0 is in flight first: z rises to y, and from there to y/2 in contact.",
+        note="A start with z < y < 0 is in flight first: z rises to y, and from there to y/2 in contact. A start with "
+        "z > y > 0 is in contact first: z falls to y, and from there to 0 in flight.",
     )
 
 
@@ -157,8 +170,8 @@ def _compliant() -> Entry:
         "2-compliant",
         "eqs. compliant1 to compliant3, compl1, compl2, lines 572 to 583",
         r"\epsilon\dot z=-z-\epsilon^2\lambda_N,\quad\lambda_N=\epsilon^{-2}(z-y)",
-        "With k_1 = k_2 = 1/ε² and c = 1/ε eqs. compliant1 and compliant2 are, in contact, compl1 and compl2, for "
-        "every ε > 0",
+        "With k_1 = k_2 = 1/ε² and c = 1/ε eq. compliant1 is eq. compl1 for every λ_N, and eq. compliant2 is eq. "
+        "compl2 where y < z, for every ε > 0; elsewhere λ_N is 0 in both",
         this.check("the constants put in, times ε²", put_in),
         this.check("the rest and the rate of z under a force; where the force is 0, and its slope", by_rest_and_rate),
     )

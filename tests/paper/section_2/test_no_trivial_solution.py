@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from flint import fmpq
 
 from gspot_verified.paper.section_2 import no_trivial_solution as ledger
 
@@ -34,3 +35,14 @@ def test_a_product_of_what_is_not_zero() -> None:
     assert ledger.is_not_zero(read("chi*L")) is False
     assert ledger.is_not_zero(read("chi*L"), "L") is True
     assert ledger.is_not_zero(read("chi + alpha1")) is ledger.is_not_zero(read("0*chi")) is False
+
+
+def test_the_state_of_rest_has_no_p_of_0() -> None:
+    """b = -α_1/χ, λ_N = α_2/α_3, p = α_1 α_3/(χ α_2), at numbers."""
+    values = {"chi": fmpq(2), "alpha1": fmpq(-3), "alpha2": fmpq(-5), "alpha3": fmpq(7)}
+    chi, first, second, third = values.values()
+    values |= {"b": -first / chi, "L": second / third, "p": first * third / (chi * second)}
+    images = {name: ledger.ALGEBRA.constant(value) for name, value in values.items()}
+    texts = (*ledger.RATES.values(), ledger.BALANCE)
+    assert all(ledger.ALGEBRA.substitute(ledger.ALGEBRA.read(text), images).is_zero() for text in texts)
+    assert values["p"] != 0

@@ -56,3 +56,20 @@ def test_a_rest_in_the_other_phase(
     monkeypatch.setitem(ledger.RATE, phase, rate)
     monkeypatch.setitem(ledger.REST, phase, rest)
     assert ledger.relaxes(phase) is answer
+
+
+@pytest.mark.parametrize(
+    ("phase", "rate", "answer"),
+    [
+        ("contact", "-z - (z - y)", True),
+        ("contact", "-z", True),
+        ("contact", "-1/2*z", False),  # at z = y > 0 slower than y/ε
+        ("contact", "z", False),
+        ("flight", "-z", True),
+        ("flight", "0*z", False),  # z never comes back to y
+        ("flight", "-z - 1", False),
+    ],
+)
+def test_a_start_in_the_other_phase(monkeypatch: pytest.MonkeyPatch, phase: str, rate: str, answer: bool) -> None:
+    monkeypatch.setitem(ledger.RATE, phase, rate)
+    assert ledger.leaves_the_other_phase("flight" if phase == "contact" else "contact") is answer

@@ -14,6 +14,7 @@ TEETH: Teeth = {
         Bite("factor", ledger.SPRINGS, "contact", replaced("k2*", "1000003/1000000*k2*")),
         Bite("hidden factor", ledger.RATE, "contact", unseen_at("y", (-1, 1))),
         Bite("hypothesis", ledger.RATE, "flight", lambda _: ledger.RATE["contact"]),
+        Bite("hypothesis", ledger.RATE, "contact", replaced("-z", "z")),
         Bite("order", ledger.DECAY, "contact", lambda honest: honest + 1),
     ),
     "2-compliant": (

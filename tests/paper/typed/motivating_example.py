@@ -32,6 +32,14 @@ def _section_1_and_2() -> list[Row]:
         "1-force", rigid, names, ("p times the force", 168, 171, 0, of_side(1, "p")), ("p", 168, 171, 1, of_side(1))
     )
     found += rows("1-rescaled", rigid, names, ("p", 253, 253, 0, of_side(1)), ("b", 254, 254, 0, of_side(1)))
+    fields = {r"F(\xi)": "F", r"G_T(\xi)": "T", r"G_N(\xi)": "N", r"G(\xi)": "(N - mu*T)", r"\lambda_T": "lamT"}
+    found += rows(
+        "2-slip-equations",
+        {"2-slip-equations": general_system.SYSTEM},
+        fields | {r"\lambda_N": "r"},
+        ("rate", 442, 442, 0, of_side(1)),
+        ("in slip", 469, 470, 0, of_side(1)),
+    )
     functions = CONSTANTS | {rf"\alpha_{k}(\xi)": f"alpha{k}" for k in (1, 2, 3)} | {r"\lambda_N": "r"}
     found += rows(
         "2-slip-equations",

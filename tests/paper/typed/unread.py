@@ -6,10 +6,10 @@ NOT_QUOTED = "no entry's label cites these lines, so the data of the ledger do n
 DEFINITION = "a definition or a premise; no entry holds it as a text"
 NO_TEXT = "held as code, not as a text"
 IN_A_SENTENCE = "in a sentence: compared in test_typed_numbers.py"
-BY_CODE = (468, 1021, 1202, 1726, 1731, 1942, 1988, 2004, 2026, 2113)
+BY_CODE = (1021, 1202, 1726, 1731, 1942, 1988, 2004, 2026, 2113)
 """Displays that a row with entries claims: their code has the equation."""
 UNREAD: dict[int, str] = {
-    **dict.fromkeys((194, 246, 441, 501, 757, 841, 1184, 1353, 1360, 1366, 1375, 1409, 1427, 1996, 2107), DEFINITION),
+    **dict.fromkeys((194, 246, 501, 757, 841, 1184, 1353, 1360, 1366, 1375, 1409, 1427, 1996, 2107), DEFINITION),
     **dict.fromkeys((460, 478, 1496, 1530, *BY_CODE), NO_TEXT),
     967: "eq. compl2 again",
     2194: IN_A_SENTENCE,
