@@ -182,7 +182,7 @@ def _impact_from_rest() -> Entry:
             all_of([impulses_of_the_compression(), the_same_impulse()]),
         ),
         note="p = C - μB < 0 needs B > 0, as C > 0. Restitution follows in stick, with v > 0 at its end for every "
-        "positive coefficient of restitution.",
+        "positive coefficient of restitution (1-impact-sizes).",
     )
 
 

@@ -233,7 +233,8 @@ def _case_ii() -> Entry:
         "ν > 1 take an impact; ν = 1 is the trivial solution, a canard; those with ν < 1 lose contact, before p = 0 "
         "or, close to ν = 1, after it (3-case-II-starts)",
         note="As ε → 0, at leading order, the starts that pass and are not attracted shrink to the trivial solution: "
-        "at a fixed ν < 1 contact is lost before p = 0 once ε is small. On the slow manifold, for every β in (0, 1) "
+        "at a fixed ν < 1 contact is lost before p = 0 once ε is small, as the deviation dominates there for β < 1 "
+        "(S-dominance, S-iwc). On the slow manifold, for every β in (0, 1) "
         "and every ε, the impact is that of C_1 < 0 (C-cases-I-II). The paper shows no simulation of Case II.",
     )
 
