@@ -134,6 +134,22 @@ def residuals(recursion: Recursion, terms: int, orders: int) -> list[list[fmpq_p
     return found
 
 
+def right_sides(recursion: Recursion) -> dict[str, list[list[fmpq_poly]]]:
+    """r_b, r_v, r and the components of r_ξ, by the orders: the left sides of their equations, without the sums."""
+    system = recursion.system
+    at = SeriesOfFunctions((system.alpha_1, system.alpha_3), _Plain(), RATIONALS)
+    at.extend([fmpq_poly([])] * len(system.point))
+    first, third = (at[f][0] for f in (system.alpha_1, system.alpha_3))
+    s = fmpq_poly([0, 1])
+    b, v, force = ([plain(term) for term in getattr(recursion, name)] for name in ("b", "v", "lambda_n"))
+    return {
+        "r_b": [[u.derivative() + third * w for u, w in zip(b, force, strict=True)]],
+        "r_v": [[u.derivative() - c - first * s * w for u, c, w in zip(v, b, force, strict=True)]],
+        "r": [[2 * u.derivative().derivative().derivative() + first * s * u.derivative() - third * u for u in b]],
+        "r_xi": [[plain(term[i]).derivative() for term in recursion.xi] for i in range(len(system.point))],
+    }
+
+
 def synchronised(recursion: Recursion) -> bool:
     """The components p, b, y, v of xi~ are p~, b~, delta^4 y~, delta^2 v~ for every s, and w(0) = 0."""
     rows = [[plain(term[i]) for term in recursion.xi] for i in range(5)]

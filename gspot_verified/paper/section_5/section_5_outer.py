@@ -158,6 +158,19 @@ def _rate_of_p(equation: str, derivative: str) -> fmpq_mpoly:
     return _SYMBOLS["p"] * ALGEBRA.bring(rate)
 
 
+def _times_p(rate: fmpq_mpoly, force: fmpq_mpoly) -> fmpq_mpoly:
+    """p times a rate of ξ or b, by p times the force in it."""
+    named = put(rate, f="F", g="G", a2="alpha2", a3="alpha3")
+    return _SYMBOLS["p"] * put(named, lam="0*p") + named.derivative("lam") * force
+
+
+def _inner_rate(equation: str, derivative: str) -> fmpq_mpoly:
+    """The rate in an equation of the inner scale, left minus right."""
+    algebra = section_5_recursion.ALGEBRA
+    line = algebra.read(section_5_recursion.PRINTED["5-inner-system"][equation])
+    return ALGEBRA.bring(algebra.symbols[derivative] - line)
+
+
 def _slow_manifold() -> Entry:
     this = _claim("5-slow-manifold")
 
@@ -169,10 +182,10 @@ def _slow_manifold() -> Entry:
         force = ALGEBRA.substitute(ALGEBRA.read(outer["lambda"]), on_it)
         return [
             *rates,
-            parts["xi"] - ALGEBRA.read("p*F") - _SYMBOLS["G"] * force,
+            parts["xi"] - _times_p(ALGEBRA.read(outer["xi"]), force),
             parts["p"] - _rate_of_p(section_5_recursion.GENERAL["specialPP"][0], "pd"),
-            parts["b"] - ALGEBRA.read("p*alpha2") + _SYMBOLS["alpha3"] * force,
-        ]  # fmt: skip
+            parts["b"] - _times_p(ALGEBRA.read(outer["b"]), force),
+        ]
 
     def cramer(parts: Parts) -> list[fmpq_mpoly]:
         outer = PRINTED["5-outer-system"]
@@ -185,7 +198,11 @@ def _slow_manifold() -> Entry:
             replaced = [[*row[:j], value, *row[j + 1 :]] for row, value in zip(matrix, right, strict=True)]
             found.append(_SYMBOLS["p"] * ALGEBRA.determinant(replaced) - determinant * parts[name])
         # p times F + G lambda and alpha2 - alpha3 lambda, with p lambda = -b.
-        slopes = {"xi": put(ALGEBRA.read("p*F + G*K"), K="-b"), "b": put(ALGEBRA.read("p*alpha2 - alpha3*K"), K="-b")}
+        force = -_SYMBOLS["b"]
+        slopes = {
+            "xi": _times_p(_inner_rate("specialX", "xi1"), force),
+            "b": _times_p(_inner_rate("specialB", "b1"), force),
+        }
         slopes["p"] = _rate_of_p(section_5_recursion.PRINTED["5-inner-system"]["specialPP"], "p1")
         return [*found, *(parts[name] - value for name, value in slopes.items())]
 
@@ -196,7 +213,10 @@ def _slow_manifold() -> Entry:
         "In the limit ε → 0 the slow manifold of the outer system is y_o = 2b/p, v_o = 0, z_o = b/p, and the motion on "
         "it is given by dξ/dt = F - G b/p, dp/dt = α_1 and db/dt = α_2 + α_3 b/p",
         this.check("the outer system at ε = 0, times p; p by genSysP", balance),
-        this.check("Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+); p by specialPP", cramer),
+        this.check(
+            "Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+) in specialX, specialPP and specialB",
+            cramer,
+        ),
     )
 
 

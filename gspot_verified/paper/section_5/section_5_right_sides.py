@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from flint import fmpq_mpoly
 
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
+from gspot_verified.paper.section_5 import explicit_expansions as explicit
 from gspot_verified.paper.section_5 import section_5_recursion
 from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA as RECURSION
 
@@ -93,6 +94,16 @@ def by_monomials(name: str) -> bool | None:
     return all_of(answers)
 
 
+def in_systems(name: str) -> bool | None:
+    """The same in nonlinear systems, from the left sides of the equations: what stands on the right is not asked."""
+    rows = [row for recursion in explicit.recursions() for row in explicit.right_sides(recursion)[name]]
+    return all_of(
+        {k for k, value in enumerate(term.coeffs()) if value != 0} <= monomials(CLAIMED[name], n)
+        for row in rows
+        for n, term in enumerate(row)
+    )
+
+
 def _right_sides() -> Entry:
     return SECTION.settled(
         "5-right-sides",
@@ -106,6 +117,11 @@ def _right_sides() -> Entry:
             all_of(by_indices(name) for name in CLAIMED),
         ),
         Rung.POINTS.check(f"all monomials for n < {len(ORDERS)}", all_of(by_monomials(name) for name in CLAIMED)),
+        Rung.POINTS.check(
+            "three nonlinear systems, all orders below 12: the left sides of specialBn, specialVn, third-order_b and "
+            "the rate of ξ_n, with no term of the right sides",
+            all_of(in_systems(name) for name in CLAIMED),
+        ),
         note="r_b and r_v have terms of lower orders of λ and of p of the orders up to n (step 1); r_ξ has λ_n too "
         "(step 3).",
     )

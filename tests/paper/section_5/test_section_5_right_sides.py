@@ -20,12 +20,12 @@ def test_one_space_in_another(inner: int, outer: int) -> None:
 
 @pytest.mark.parametrize("name", ["r_b", "r_v", "r", "r_xi"])
 def test_smaller_spaces_do_not_hold_them(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
-    assert ledger.by_indices(name) is ledger.by_monomials(name) is True
+    assert ledger.by_indices(name) is ledger.by_monomials(name) is ledger.in_systems(name) is True
     even, odd = ledger.CLAIMED[name]
     for smaller in ((even - 3, odd), (even, odd - 3), (even + 1, odd)):
         with monkeypatch.context() as patch:
             patch.setitem(ledger.CLAIMED, name, smaller)
-            assert ledger.by_indices(name) is ledger.by_monomials(name) is False
+            assert ledger.by_indices(name) is ledger.by_monomials(name) is ledger.in_systems(name) is False
 
 
 def test_monomials() -> None:

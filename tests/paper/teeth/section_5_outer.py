@@ -43,6 +43,8 @@ TEETH: Teeth = {
         Bite("factor", SLOW, "v", lambda _: "1/1000000*b"),
         *(Bite("hidden factor", SLOW, part, unseen_at("p", _POINTS)) for part in ("y", "z", "xi", "b")),
         Bite("hypothesis", OUTER, "lambda", replaced("z - y", "z - 2*y")),
+        Bite("hypothesis", OUTER, "b", replaced("- a3", "+ a3")),
+        Bite("hypothesis", section_5_recursion.PRINTED["5-inner-system"], "specialX", replaced("+ g", "- g")),
         Bite("hypothesis", OUTER, "z", replaced("- lam", "- 2*lam")),
         *(Bite("order", SLOW, part, raised("p")) for part in ("y", "z", "xi", "p", "b")),
     ),
