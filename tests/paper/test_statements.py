@@ -111,6 +111,30 @@ def test_no_label_of_the_source_is_left_in_the_texts_of_an_entry(whole_ledger: l
     assert found == {}
 
 
+def bare_names(source: str) -> list[str]:
+    """Greek letters of a LaTeX text by name, without their backslash."""
+    return re.findall(
+        r"(?<![A-Za-z\\])(?:\d*)((?:alpha|beta|epsilon|delta|kappa|tau|lambda|nu|mu|chi)(?![a-z]))", source
+    )
+
+
+def test_the_printed_form_of_an_entry_has_greek_letters(whole_ledger: list[Entry]) -> None:
+    assert {entry.identifier: wrong for entry in whole_ledger if (wrong := bare_names(entry.source))} == {}
+
+
+@pytest.mark.parametrize(
+    ("source", "wrong"),
+    [
+        (r"\gamma\to 2beta/3", ["beta"]),
+        (r"\gamma\to (2beta+2)/3, alpha_1", ["beta", "alpha"]),
+        (r"\gamma\to (2\beta+2)/3,\ \mu b", []),
+        (r"\text{number}", []),
+    ],
+)
+def test_which_names_are_bare(source: str, wrong: list[str]) -> None:
+    assert bare_names(source) == wrong
+
+
 @pytest.mark.parametrize(
     ("text", "passes"),
     [

@@ -146,6 +146,16 @@ def in_greek(text: str) -> str:
     return text
 
 
+def in_latex(text: str) -> str:
+    """A formula as LaTeX, with a space for each sign of multiplication.
+
+    >>> print(in_latex("(2*beta+4*beta*lam)/3"))
+    (2 \\beta+4 \\beta \\lambda)/3
+    """
+    named = re.sub(rf"\b({'|'.join(_GREEK)})(?=\d|\b)", r"\\\1", text)
+    return named.replace(r"\lam", r"\lambda").replace("*", " ")
+
+
 def readable(value: fmpq_mpoly) -> str:
     """A polynomial as text with Greek letters, cut when it is long."""
     text = in_greek(str(value))

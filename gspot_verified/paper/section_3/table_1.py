@@ -15,7 +15,7 @@ from flint import arb, fmpq, fmpz
 
 from gspot_verified.numbers.balls import ball_text, certainly_less, hull, sign_of, working_bits
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
-from gspot_verified.paper.checks.identities import Algebra, in_greek
+from gspot_verified.paper.checks.identities import Algebra, in_greek, in_latex
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.numerics.at_the_g_spot import crossing, deviations
 from gspot_verified.paper.numerics.scaling_exponents import (
@@ -301,7 +301,7 @@ def _theoretical(name: str) -> Entry:
     return SECTION.settled(
         f"3-table-1-theory-{name}",
         f"line {LINES[name]} (theoretical)",
-        rf"\gamma\to {FORMULAS[name].replace('*', '')}",
+        rf"\gamma\to {in_latex(FORMULAS[name])}",
         f"Table 1(b): the exponent of {SYMBOLS[name]} tends to {in_greek(FORMULAS[name]).replace('*', '')} as ε → 0, "
         f"for β = 1/2, 3/2, 5/2; its decimals are {', '.join(THEORETICAL[name].values())}",
         Page("scaling_exponents", (leading_terms_are_not_0,)).carries(

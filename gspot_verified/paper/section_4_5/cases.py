@@ -215,7 +215,7 @@ def _other_side() -> Entry:
     return SECTION.settled(
         "S-iwc-case-III",
         "lines 1304 to 1305 (Case III)",
-        r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
+        r"\text{the other sign of }C_1\Gamma(-\beta):\ \text{strong evidence that an IWC occurs}",
         "In Case III, β not an integer, C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
         "λ_N is positive for all ε below an explicit ε_0",
         IWC.carries(

@@ -223,7 +223,7 @@ def _case_three() -> Entry:
     return SECTION.settled(
         "C-iwc-case-III",
         "lines 1304 to 1305 (Case III)",
-        r"\hat\lambda_N>0\quad(C_1/\Gamma(-\beta)>0)",
+        r"\text{the other sign of }C_1\Gamma(-\beta):\ \text{strong evidence that an IWC occurs}",
         "For 0 < β < 5 not an integer and C_1/Γ(-β) > 0, the contact force on the slow manifold of the compliant model "
         "is larger than at leading order at every τ and every ε: each ε_0 at leading order holds unchanged",
         MONOTONE.carries(

@@ -10,7 +10,7 @@ from functools import partial
 from flint import fmpq, fmpq_mpoly
 
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
-from gspot_verified.paper.checks.identities import Claim, Parts
+from gspot_verified.paper.checks.identities import Claim, Parts, in_latex
 from gspot_verified.paper.numerics.oscillator_formulas import APPENDIX_B, PRINTED_NUMBERS, SECTION_6
 from gspot_verified.paper.section_6 import oscillator
 from gspot_verified.paper.section_6.oscillator import ALGEBRA, CORRECTED, PRINTED, along, at_g_spot, normal
@@ -155,7 +155,7 @@ def _value(name: str) -> Entry:
     return SECTION.settled(
         f"6-{name}",
         f"line {lines}",
-        f"{_LATEX[name]}^*={text}",
+        f"{_LATEX[name]}^*={in_latex(text)}",
         f"The printed {name.replace('alpha', 'α')} is that of the oscillator at its G-spot, for all β, κ, m_1, l, g"
         f"{_by_the_sign_of_g(name)}",
         this.check(

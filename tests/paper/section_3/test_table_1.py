@@ -13,6 +13,7 @@ from flint import arb, fmpq
 from gspot_verified.compliant.motion.compliant_force import contact_motion
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
+from gspot_verified.paper.claims import paper_claims
 from gspot_verified.paper.numerics import at_the_g_spot
 from gspot_verified.paper.section_3 import table_1 as ledger
 
@@ -32,6 +33,22 @@ def test_the_decades_are_those_of_the_statement() -> None:
     assert ledger.epsilons((1000, fmpq(3, 2), 3)) == [fmpq(1, 1000), fmpq(1, 1500), fmpq(1, 2250)]
     assert ledger.text_of((1000, fmpq(3, 2), 3)) == "ε = 1/1000 and on, each 2/3 of the one before, 3 in all"
     assert ledger.text_of((2000, 5, 3)) == "ε = 1/2000 and on, each 1/5 of the one before, 3 in all"
+
+
+def test_the_rows_on_the_agreement_state_the_differences_of_the_table() -> None:
+    found = {
+        abs(ledger.rounding(text)[0] - ledger.rounding(ledger.THEORETICAL[name][beta])[0]): (name, beta)
+        for name, row in ledger.MEASURED.items()
+        for beta, text in row.items()
+    }
+    largest = max(found)
+    assert (largest, found[largest]) == (fmpq(192, 10**4), ("y", fmpq(5, 2)))
+    said = {claim.first: claim.why for claim in paper_claims()}
+    assert said[878].endswith("the largest difference is 0.0192, for y-hat at β = 5/2")
+    assert said[898].endswith("differs from it by up to 0.02")
+    assert largest < fmpq(2, 100)
+    assert "the measured ones are 0.6650 to 0.6659" in said[1147]
+    assert sorted(ledger.MEASURED["t"].values()) == ["0.6650", "0.6656", "0.6659"]
 
 
 @pytest.mark.parametrize(
