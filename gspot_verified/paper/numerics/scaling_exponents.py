@@ -74,17 +74,23 @@ def exponent_error(beta: fmpq, name: str, largest: fmpq) -> arb:
 def fast_share(beta: fmpq, name: str, largest: fmpq) -> arb:
     """Theorem E2: |fast part/slow part| of q-hat at p = 0 is at most this for every epsilon in (0, ``largest``]."""
     with working_bits(_BITS):
-        found = quantity(beta, name)
         if largest > LARGEST_OF_BOUND or not 3 * largest < _rate():
             return nonfinite()
+    return share_at(beta, name, largest)
+
+
+def share_at(beta: fmpq, name: str, epsilon: fmpq) -> arb:
+    """The same at one epsilon alone, of any size (page, section 5)."""
+    with working_bits(_BITS):
+        found = quantity(beta, name)
         mean = fmpq(1)  # the size of b-hat over p at the start: both parts are proportional to it
-        start = Deviation(beta, largest, _START, mean * _START, fmpq(0), 2 * mean, mean)
+        start = Deviation(beta, epsilon, _START, mean * _START, fmpq(0), 2 * mean, mean)
         hats = fast_bound_at(start, fmpq(0))
-        fast = {"b": hats["b"], "v": largest * hats["V"], "y": largest**2 * (hats["force"] + hats["Z"])}[name]
-        eta = scale(largest)
-        least = _least_integral(found, eta, _slope_bound(found, largest, eta))
-        slow = mean * largest * (arb(largest) / _START) ** (beta - 1) * _least_h(beta, largest) * eta**found.power
-        slow = slow * arb(largest) ** found.extra * least
+        fast = {"b": hats["b"], "v": epsilon * hats["V"], "y": epsilon**2 * (hats["force"] + hats["Z"])}[name]
+        eta = scale(epsilon)
+        least = _least_integral(found, eta, _slope_bound(found, epsilon, eta))
+        slow = mean * epsilon * (arb(epsilon) / _START) ** (beta - 1) * _least_h(beta, epsilon) * eta**found.power
+        slow = slow * arb(epsilon) ** found.extra * least
         if name != "b":
             slow = slow * _rising_size(beta, found.index) / beta
         if not slow > 0:
@@ -97,6 +103,22 @@ def regression_error(beta: fmpq, name: str, largest: fmpq) -> arb:
     this, for every series of epsilon in (0, ``largest``] whose neighbours differ by a factor 101/100 or more."""
     with working_bits(_BITS):
         return (exponent_error(beta, name, largest) + _fast_change(beta, name, largest)).abs_upper()
+
+
+def series_error(beta: fmpq, name: str, epsilons: Sequence[fmpq]) -> arb:
+    """Theorem E1 and :func:`share_at` for one series (page, section 5): a bound of |slope - limit|, no epsilon being
+    excluded by Theorem E2."""
+    with working_bits(_BITS):
+        shares = [share_at(beta, name, epsilon) for epsilon in epsilons]
+        if not all(share < 1 for share in shares):
+            return nonfinite()
+        changes = [-(1 - share).log() for share in shares]
+        weights = [
+            abs(regression_slope([arb(int(k == place)) for k in range(len(epsilons))], epsilons))
+            for place in range(len(epsilons))
+        ]
+        fast = sum((w * change for w, change in zip(weights, changes, strict=True)), arb(0))
+        return (exponent_error(beta, name, max(epsilons)) + fast).abs_upper()
 
 
 def pair_error(beta: fmpq, largest: fmpq) -> arb:

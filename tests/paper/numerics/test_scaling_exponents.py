@@ -27,6 +27,8 @@ from gspot_verified.paper.numerics.scaling_exponents import (
     quantity,
     regression_error,
     regression_slope,
+    series_error,
+    share_at,
 )
 
 BETAS = (fmpq(1, 2), fmpq(3, 2), fmpq(5, 2))
@@ -104,6 +106,39 @@ def test_without_its_hypotheses_there_is_no_bound() -> None:
     assert not regression_error(fmpq(5, 2), "b", fmpq(1, 500)).is_finite()
     assert not exponent_error(fmpq(5, 2), "b", fmpq(1, 2)).is_finite()
     assert not exponent_error(fmpq(9, 2), "b", fmpq(1, 10**6)).is_finite()
+
+
+@pytest.mark.parametrize("beta", BETAS)
+@pytest.mark.parametrize("small", [fmpq(1, 500), fmpq(1, 1000)])
+def test_the_share_at_one_epsilon_is_a_bound_there(beta: fmpq, small: fmpq) -> None:
+    model = compliant_model(beta, small)
+    slow, fast, _ = contact_motion(model, paper_state(model, NU)).hats(fmpq(0), 60)
+    with working_bits(64):
+        assert abs(fast["b"] / slow["b"]) < share_at(beta, "b", small) < 1
+        assert abs(fast["V"] / slow["V"]) < share_at(beta, "v", small)
+        assert abs((fast["Z"] - fast["force"]) / (slow["Z"] - slow["force"])) < share_at(beta, "y", small)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_slope_over_one_series_is_as_near_as_said(name: str) -> None:
+    epsilons = [fmpq(1, 10**k) for k in (3, 4, 5, 6)]
+    for beta in BETAS:
+        error = series_error(beta, name, epsilons)
+        with working_bits(96):
+            found = regression_slope([abs(deviations(beta, NU, e)[name]).log() for e in epsilons], epsilons)
+            assert abs(found - limit_exponent(beta, name)) < error
+        assert error.is_exact()
+
+
+def test_the_fast_part_counts_by_the_weights_of_the_regression(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two ε: each logarithm has the weight 1 over the logarithm of their quotient."""
+    monkeypatch.setattr(ledger, "exponent_error", lambda _beta, _name, largest: arb(largest))
+    monkeypatch.setattr(ledger, "share_at", lambda *_: 1 - arb(-1).exp())
+    pair = [fmpq(1, 20), fmpq(1, 10)]
+    assert float(series_error(fmpq(1, 2), "y", pair)) == pytest.approx(0.1 + 2 / math.log(2), rel=1e-12)
+    for none in (arb(1), arb("nan")):
+        monkeypatch.setattr(ledger, "share_at", lambda *_, none=none: none)
+        assert not series_error(fmpq(1, 2), "y", pair).is_finite()
 
 
 @pytest.mark.parametrize("beta", BETAS)

@@ -119,6 +119,36 @@ def test_a_number_that_no_series_gives(monkeypatch: pytest.MonkeyPatch, error: s
         assert ledger.can_be_the_number(text, "b", BETAS[0], fmpq(1, 2000)) is expected
 
 
+@pytest.mark.parametrize(("error", "answer"), [("0.1999", False), ("0.2", None), ("nan", None)])
+def test_a_number_that_one_series_does_not_give(
+    monkeypatch: pytest.MonkeyPatch, error: str, answer: bool | None
+) -> None:
+    asked = []
+    monkeypatch.setattr(ledger, "series_error", lambda *arguments: asked.append(arguments) or arb(error))
+    monkeypatch.setattr(ledger, "limit_exponent", lambda *_: fmpq(1, 2))
+    for text, expected in (("0.7", answer), ("0.3", answer), ("0.5", None)):
+        assert ledger.can_be_of_the_series(text, "b", BETAS[0], (10, 2, 2)) is expected
+    assert asked == [(BETAS[0], "b", [fmpq(1, 10), fmpq(1, 20)])] * 3
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "answer"),
+    [(False, False, False), (False, None, None), (None, False, None), (None, None, None)]
+    + [(True, other, True) for other in (True, False, None)]
+    + [(other, True, True) for other in (False, None)],
+)
+def test_an_or_fails_only_where_both_fail(first: bool | None, second: bool | None, answer: bool | None) -> None:
+    assert ledger.either(first, second) is answer
+
+
+@pytest.mark.parametrize("half", ["can_be_the_number", "can_be_of_the_series", "slope"])
+def test_half_an_or_refutes_no_number(monkeypatch: pytest.MonkeyPatch, half: str) -> None:
+    """Each check speaks of both kinds of series."""
+    monkeypatch.setattr(ledger, half, lambda *_: None)
+    entry = ledger.ENTRIES["3-table-1-y-1_2"]()
+    assert entry.verdict.outcome is Outcome.UNDECIDED
+
+
 @pytest.mark.parametrize(
     ("error", "answer"), [("0.001", False), ("0.00109", False), ("0.0011", None), ("0.002", None), ("nan", None)]
 )
@@ -160,7 +190,7 @@ def test_a_series_that_gives_another_number_refutes_no_number(monkeypatch: pytes
 @pytest.mark.parametrize("identifier", ["3-table-1-y-1_2", "3-table-1-one-series"])
 def test_without_a_slope_no_other_number_is_named(monkeypatch: pytest.MonkeyPatch, identifier: str) -> None:
     monkeypatch.setattr(ledger, "slope", lambda *_: None)
-    for bound in ("regression_error", "pair_error"):
+    for bound in ("regression_error", "pair_error", "series_error"):
         monkeypatch.setattr(ledger, bound, lambda *_: arb(1))
     entry = ledger.ENTRIES[identifier]()
     assert entry.corrected == ""

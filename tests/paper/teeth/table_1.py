@@ -68,6 +68,7 @@ def _impossible(name: str, beta: fmpq) -> tuple[Tooth, ...]:
         Bite("factor", ledger, "MEASURED", in_row(ledger.MEASURED, name, beta, mended)),
         Bite("hidden factor", ledger, "value", decades_as_printed(name, beta)),
         Bite("hypothesis", ledger, "LARGEST", lambda _: fmpq(1, 300)),
+        Bite("order", ledger, "series_error", lambda honest: lambda *a: honest(*a) * 10),
         Bite("order", ledger, "regression_error", lambda honest: lambda *a: honest(*a) * 10),
     )
 
