@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from flint import fmpq
+from flint import arb, fmpq
 
-from gspot_verified.numbers.balls import sign_of
+from gspot_verified.numbers.balls import sign_of, working_bits
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.section_4_5.section_4_5_signs import PRINTED as SIGNS
@@ -34,6 +34,13 @@ def is_so_at_zero(form: str) -> bool | None:
     return None if slope is None or found is None else found * slope == FORCE[form]["zero"]
 
 
+def is_so_by_the_initial_value(form: str) -> bool | None:
+    """The same by eq. t02: C_1/Γ(-β) > 0 on this side, so C_1 times dΘ/dτ at 0 has the sign of Γ((1-β)/3)."""
+    with working_bits(64):
+        found = sign_of(arb((1 - BETA) / 3).gamma())
+    return None if found is None else found == FORCE[form]["zero"]
+
+
 def _same_situation() -> Entry:
     forms = ("printed", "corrected")
     return Section("Section 4.5").settled(
@@ -52,6 +59,11 @@ def _same_situation() -> Entry:
             f"β = {BETA}, τ = 0: an enclosure of dΘ/dτ",
             mended(*map(is_so_at_zero, forms)),
             "dΘ/dτ < 0 there, so the deviation of λ_N is negative and that of y positive",
+        ),
+        Rung.BALLS.check(
+            f"β = {BETA}, τ = 0: Γ((1-β)/3), of which C_1 dΘ/dτ has the sign by the initial value",
+            mended(*map(is_so_by_the_initial_value, forms)),
+            "it is negative, so the deviation of λ_N is negative and that of y positive",
         ),
         corrected="An impact occurs, for another reason: from a given τ_0 on, for small ε, the mean force, which is "
         "positive, dominates until the deviation is large, and that is positive (S-iwc-case-III). On this side y\u0302 "

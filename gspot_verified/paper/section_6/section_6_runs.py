@@ -41,6 +41,11 @@ ROUNDED = fmpq(3, 2)
 FLOATS = ("LSODA", 1e-8)
 TAU_START = fmpq(-10)
 ALGEBRA = Algebra("beta kappa u")
+CONTACT = Algebra("y v z p b")
+"""The contact at fixed p and b in the time t/ε: y and z over ε², v over ε, k_1 = k_2 = c = 1."""
+RATES = {"y": "v", "v": "b + p*(z - y)", "z": "-z - (z - y)"}
+AT_REST = {"force": "z - y", "v": "v", "w": "b + p*(z - y)", "phi": "z - y + y/2 + v/4"}
+"""λ, V, W and λ - (its value at rest for this y) + V l/g of proofs/papers_rule.md: κ = l = 1/2, g = 2."""
 ALPHAS = {name: text for name, (_, text) in SECTION_6.items()}
 MEMBERS: dict[str, tuple[fmpq, fmpq]] = {
     "I": (fmpq(1, 2), fmpq(0)),
@@ -85,6 +90,25 @@ def takes_in_the_limit(name: str) -> bool | None:
     return None if side is None else side == {LIFT_OFF: "lift-off", IMPACT: "impact"}[SEQUENCES[name][0]]
 
 
+def no_force_comes_in() -> bool:
+    """Whether the start y = v = z = 0 comes into (R5) of proofs/papers_rule.md: |X|² falls as φ is not 0, λ rises."""
+    rates = {name: CONTACT.read(text) for name, text in RATES.items()}
+    at = {name: CONTACT.read(text) for name, text in AT_REST.items()}
+    p, b = CONTACT.symbols["p"], CONTACT.symbols["b"]
+    size = p * at["v"] ** 2 / 2 + at["w"] ** 2 + 8 * p * at["phi"] ** 2
+    falls = CONTACT.derivative(size, rates) + 32 * p * at["phi"] ** 2
+    start = {name: CONTACT.constant(0) for name in RATES}
+    first = [
+        at["force"],
+        at["phi"],
+        size - b**2,
+        CONTACT.derivative(at["force"], rates),
+        CONTACT.derivative(at["force"], rates, 2) + b,
+        CONTACT.derivative(at["phi"], rates) - b / 4,
+    ]
+    return bool(falls.is_zero()) and all(CONTACT.substitute(value, start).is_zero() for value in first)
+
+
 def floats_show(name: str) -> bool | None:
     """Whether the float run has the events of the figure."""
     return tuple(event.name for event in simulated(name).events) == SEQUENCES[name]
@@ -103,12 +127,13 @@ def _start(name: str) -> Entry:
         f"From φ = φ* + 1/10, φ-dot = {STARTS[name]}, y = v = 0, β = 7/3, κ = 0: rigid slip, positive on a belt that "
         "is fast enough, reaches the G-spot with a positive contact force, on the side of the distinguished trajectory "
         f"from which, at leading order as ε → 0, there is a{'n' if what == 'impact' else ''} {what}; for every ε up to "
-        f"{bound} compliant starts that tend to this one, the contact not far from rest, keep contact and slip "
-        f"until p < 0, and then {then}",
+        f"{bound} compliant starts that tend to this one, the contact not far from rest or y = v = z = 0, keep contact "
+        f"and slip until p < 0, and then {then}",
         Rung.BALLS.check("proofs/approach.md: the path in rigid slip and C_1 in balls", takes(name), size),
         Rung.BALLS.check(
-            "proofs/papers_rule.md, Theorem R: its hypotheses at this start and at the G-spot, in balls",
-            takes_in_the_limit(name),
+            "proofs/papers_rule.md, Theorem R: its hypotheses at this start and at the G-spot, in balls; y = v = z = 0 "
+            "by section 1",
+            all_of([takes_in_the_limit(name), no_force_comes_in() or None]),
         ),
         Rung.POINTS.check(
             f"a float run at ε = 10^-6 ({FLOATS[0]}): {', '.join(SEQUENCES[name])}",

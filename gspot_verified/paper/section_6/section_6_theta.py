@@ -152,7 +152,7 @@ def _fit() -> Entry:
             "" if c_1 is None else f"C_1 = {approximate(c_1)}",
         ),
         note="The amplitude is that of C_1, which rigid slip before the G-spot determines (6-second-start); the paper "
-        "adjusts it at t = 0. The difference shrinks like ε^(1/3).",
+        "adjusts it at t = 0. With ε <= 10^-9 the same calculation has a difference below 0.2 %.",
     )
 
 
@@ -160,7 +160,10 @@ def difference() -> fmpq:
     """A bound on |b of order 31 - b of order 15| for DRAWN <= t <= 0 at ε = EPSILON: its coefficients' moduli."""
     low, high = expansion(ORDER).in_time().b, expansion(HIGHER).in_time().b
     return sum(
-        (abs(value - low.get((k, m), fmpq(0))) * abs(DRAWN) ** k * EPSILON**m for (k, m), value in high.items()),
+        (
+            abs(high.get((k, m), fmpq(0)) - low.get((k, m), fmpq(0))) * abs(DRAWN) ** k * EPSILON**m
+            for k, m in {*low, *high}
+        ),
         fmpq(0),
     )
 

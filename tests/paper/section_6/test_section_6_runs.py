@@ -5,8 +5,10 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 from flint import arb, fmpq
+from scipy.integrate import solve_ivp
 
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.numbers.balls import working_bits
@@ -50,6 +52,41 @@ def test_the_side_of_a_start_for_small_epsilon(monkeypatch: pytest.MonkeyPatch) 
         monkeypatch.setattr(ledger, "in_the_limit", lambda _, side=side: SimpleNamespace(side=side))
         assert ledger.takes_in_the_limit(FIRST) is first
         assert ledger.takes_in_the_limit(SECOND) is (None if first is None else not first)
+
+
+def test_a_start_without_force_comes_into_the_theorem(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ledger.no_force_comes_in() is True
+    wrong = {
+        "RATES": ({"z": "-z"}, {"v": "b - p*(z - y)"}, {"y": "-v"}),
+        "AT_REST": ({"phi": "z - y + y/2"}, {"force": "y"}, {"w": "b"}),
+    }
+    for table, changes in wrong.items():
+        for change in changes:
+            with monkeypatch.context() as patch:
+                patch.setattr(ledger, table, {**getattr(ledger, table), **change})
+                assert ledger.no_force_comes_in() is False
+
+
+def test_without_it_the_start_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ledger, "no_force_comes_in", lambda: False)
+    monkeypatch.setattr(ledger, "simulated", lambda _: simulation((IMPACT, 3)))
+    assert ledger.ENTRIES[SECOND]().checks[1].agrees is None
+
+
+@pytest.mark.parametrize("p", [0.06, 0.5, 2.0])
+def test_a_start_without_force_in_numbers(p: float) -> None:
+    """Fixed p, b = -1: λ > 0 and |X| < pΛ = 1 at once, as the page says."""
+
+    def rates(_: float, state: Any) -> list[float]:
+        y, v, z = state
+        return [v, -1 + p * (z - y), -z - (z - y)]
+
+    run = solve_ivp(rates, (0, 1), [0, 0, 0], rtol=1e-10, atol=1e-12, t_eval=np.linspace(0, 1, 21))
+    y, v, z = run.y
+    size = p * v**2 / 2 + (-1 + p * (z - y)) ** 2 + 8 * p * (z - y / 2 + v / 4) ** 2
+    assert (z - y)[1:].min() > 0
+    assert np.all(np.diff(size) < 0)
+    assert size[0] == 1
 
 
 def simulation(*events: tuple[str, Any], t: Any = (), p: Any = (), samples: bool = True) -> Any:

@@ -132,6 +132,26 @@ def test_a_float_run_within_4_per_cent_of_the_largest_value_so_far(
     assert ledger.floats_fit() is answer
 
 
+def test_with_a_smaller_epsilon_the_fit_is_closer(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the note says."""
+    monkeypatch.setattr(ledger, "DELTA", fmpq(1, 1000))
+    ledger.ratios.cache_clear()
+    try:
+        found = ledger.ratios()
+        assert len(found) == 17
+        assert all(abs(ratio - 1) < fmpq(2, 1000) for ratio in found.values())
+    finally:
+        ledger.ratios.cache_clear()
+
+
+def test_a_term_of_the_lower_order_alone_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    tables = {ledger.ORDER: {(0, 0): fmpq(3)}, ledger.HIGHER: {(0, 1): fmpq(1)}}
+    monkeypatch.setattr(
+        ledger, "expansion", lambda order: SimpleNamespace(in_time=lambda: SimpleNamespace(b=tables[order]))
+    )
+    assert ledger.difference() == 3 + EPSILON
+
+
 def test_the_difference_of_two_expansions(monkeypatch: pytest.MonkeyPatch) -> None:
     tables = {15: {(0, 1): fmpq(1), (3, 0): fmpq(2)}, 31: {(0, 1): fmpq(3, 2), (3, 0): fmpq(2), (2, 0): fmpq(-1)}}
     monkeypatch.setattr(
