@@ -41,17 +41,19 @@ def run_of(beta: fmpq, nu: fmpq, epsilon: fmpq) -> CompliantRun:
 
 
 def as_claimed(run: CompliantRun) -> bool | None:
-    """One flight from a small b > 0, a touch-down soon after the G-spot, and a small velocity downwards there."""
+    """One flight that rises faster than |y|/ε from a small b > 0, and a slow touch-down soon after the G-spot."""
     if run.verdict.outcome is not Outcome.PROVED:
         return None
     if run.verdict.statement != CLAIM["events"] or len(run.events) != 2:
         return False
-    free, speed = run.events[0].state.b, -run.events[1].velocity
+    first, speed = run.events[0].state, -run.events[1].velocity
     with working_bits(64):
         time = hull([arb(run.events[1].lower), arb(run.events[1].upper)])
-        bounds = [(free, MOST_FREE, FREE_POWER), (speed, MOST, POWER), (time, MOST_TIME, TIME_POWER)]
+        # v is ε V and y is ε² Y.
+        rises = [certainly_less(first.Y, arb(0)), certainly_less(-first.Y, first.V)]
+        bounds = [(first.b, MOST_FREE, FREE_POWER), (speed, MOST, POWER), (time, MOST_TIME, TIME_POWER)]
         small = [certainly_less(value, most * arb(run.model.epsilon) ** arb(power)) for value, most, power in bounds]
-        return all_of([*(certainly_less(arb(0), value) for value, _, _ in bounds), *small])
+        return all_of([*rises, *(certainly_less(arb(0), value) for value, _, _ in bounds), *small])
 
 
 def side_at_touch_down(run: CompliantRun) -> bool | None:
@@ -78,8 +80,8 @@ def _one_flight() -> Entry:
         "lines 914 to 918",
         r"\text{lift-off terminates shortly after the G-spot, with an impact of very low normal velocity}",
         "Each simulated run of Case III that lifts off, at ε = 10^-3 and 10^-9, has exactly one flight, from a "
-        "lift-off where 0 < b < 13 ε^(2/3) to a touch-down, less than 45 ε^(2/3) after the G-spot, where 0 < -v < 300 "
-        "ε^(4/3), and then takes an impact without collision: contact is not lost again",
+        "lift-off where y < 0, v > |y|/ε and 0 < b < 13 ε^(2/3) to a touch-down, less than 45 ε^(2/3) after the "
+        "G-spot, where 0 < -v < 300 ε^(4/3), and then takes an impact without collision: contact is not lost again",
         Rung.BALLS.check(
             "proofs/flight.md: certified lift-off and touch-down; the state at touch-down lies in an invariant set in "
             "which λ_N > 0 for ever, λ_N and -v without bound",

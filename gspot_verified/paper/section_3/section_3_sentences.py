@@ -157,9 +157,9 @@ def _separatrix() -> Entry:
     )
 
 
-def case_ii(nu: fmpq, epsilon: fmpq) -> tuple[CompliantModel, CompliantState]:
-    """The initial values of fig. varsim1 with α_2 = 1: the trivial solution has λ_N > 0 and is ν = 1."""
-    model = compliant_model(CASE_II["beta"], epsilon, alpha_2=CASE_II["alpha_2"])
+def case_ii(nu: fmpq, epsilon: fmpq, times: int = 1) -> tuple[CompliantModel, CompliantState]:
+    """The initial values of fig. varsim1 with α_2 = 1, or times it: the trivial solution has λ_N > 0 and is ν = 1."""
+    model = compliant_model(CASE_II["beta"], epsilon, alpha_2=CASE_II["alpha_2"] * times)
     return model, paper_state(model, nu)
 
 
@@ -229,9 +229,9 @@ def _case_ii() -> Entry:
             "λ_N = α_2/(α_3 - α_1) > 0 for ever: contact is not lost and the force does not grow",
         ),
         _passes_and_lifts_off(EPSILONS[0]),
-        corrected=f"for β = {CASE_II['beta']}, α_2 > 0 and every ε <= {REACHES}, of the starts of Figure 6 those with "
-        "ν > 1 take an impact; ν = 1 is the trivial solution, a canard; those with ν < 1 lose contact, before p = 0 "
-        "or, close to ν = 1, after it (3-case-II-starts)",
+        corrected=f"for β = {CASE_II['beta']}, α_1 = -1, α_2 > 0 and every ε <= {REACHES}, of the starts of Figure 6 "
+        "those with ν > 1 take an impact; ν = 1 is the trivial solution, a canard; those with ν < 1 lose contact, "
+        "before p = 0 or, close to ν = 1, after it (3-case-II-starts)",
         note="As ε → 0, at leading order, the starts that pass and are not attracted shrink to the trivial solution: "
         "at a fixed ν < 1 contact is lost before p = 0 once ε is small, as the deviation dominates there for β < 1 "
         "(S-dominance, S-iwc). On the slow manifold, for every β in (0, 1) "
@@ -240,10 +240,14 @@ def _case_ii() -> Entry:
 
 
 def same_share() -> bool | None:
-    """Whether the deviation of every start is 1 - ν times one, which is a multiple of that of panel (a)."""
+    """Whether the deviation of every start is 1 - ν times one, which is a multiple of that of panel (a).
+
+    It is linear in ν and in α_2: two of each settle it.
+    """
+    starts = [(nu, epsilon, times) for nu in (*ATTRACTED, *OTHERS) for epsilon in EPSILONS for times in (1, 3)]
     size = case_ii(fmpq(1), EPSILONS[0])[0].mean_force
-    hats = [deviation(*case_ii(nu, epsilon)) for nu in (*ATTRACTED, *OTHERS) for epsilon in EPSILONS]
-    factors = [(1 - nu) * size for nu in (*ATTRACTED, *OTHERS) for _ in EPSILONS]
+    hats = [deviation(*case_ii(*start)) for start in starts]
+    factors = [(1 - nu) * size * times for nu, _, times in starts]
     panel = [deviation(*varsim1.initial_state(CASE_II["beta"], nu, EPSILONS[0])) for nu in ATTRACTED]
     forms = [form for hat in (*hats, *panel) for form in (hat.V, hat.Y - 4 * hat.b, hat.Z - 2 * hat.b)]
     proportional = all(hat.b == factor * hat.p for hat, factor in zip(hats, factors, strict=True))
@@ -269,7 +273,7 @@ def _case_ii_starts() -> Entry:
         "contact is lost, and for ν close enough to 1 after p = 0",
         Rung.BALLS.check(
             "proofs/paper_runs.md, Corollary (Case II): λ_N is its mean times 1 + (ν - 1) u, u > 0 and u → ∞, the same "
-            "u for every ν",
+            "u for every ν and α_2",
             all_of([same_share(), share_grows()]),
         ),
         Rung.POINTS.check(

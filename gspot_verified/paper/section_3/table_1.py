@@ -7,7 +7,7 @@ The series of epsilon of the simulations is not printed. A measured number is po
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -339,7 +339,19 @@ def _theoretical(name: str) -> Entry:
         Rung.POINTS.check(
             "certified values at ε = 10^-13 and 10^-14, without the limit of Theorem E1", values_follow(name)
         ),
+        note=f"{SYMBOLS[name]} is negative there at ε = 10^-13 for {_betas(negative(name))}: the power is that of its "
+        "size.",
     )
+
+
+def negative(name: str) -> list[fmpq]:
+    """The β at which the quantity is certainly negative at the first epsilon of SMALL."""
+    found = {beta: deviations(beta, NU, epsilons(SMALL)[0])[name] for beta in BETAS}
+    return [beta for beta, here in found.items() if sign_of(here) == -1]
+
+
+def _betas(found: Sequence[fmpq]) -> str:
+    return f"β = {' and '.join(map(str, found))}" if found else "no β"
 
 
 def zeros_are_simple() -> bool | None:

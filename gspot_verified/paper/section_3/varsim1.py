@@ -44,6 +44,9 @@ DRAWN = {
     TRIVIAL: "it is the trivial solution, and λ_N is constant for ever",
 }
 
+_BY_SIDES = "names the fate of each run but ν = 1 by its side of the trivial solution"
+NAMED = {"a": "names this fate for all runs of the panel", "b": _BY_SIDES, "c": _BY_SIDES}
+"""How the text says what a run does."""
 BELOW = "; z begins below 0 and falls where it is 0 (modelsys5), y = z - ε² λ_N"
 BY_AN_INTEGRAL = "y = z - ε² λ_N, and e^(t/ε) z falls from below 0 (modelsys5); "
 RATE_OF_Z, FORCE = "-z - lam", "z - y"
@@ -142,8 +145,8 @@ def _entry(beta: fmpq, nu: fmpq, every: str, proof: Check) -> Entry:
             with_the_depth(beta, nu, are_drawn(beta, nu, tried), surface_by_an_integral),
             ", ".join(fate or "open" for fate in tried),
         ),
-        note="About the compliant model (modelsys1 to modelsys5) from these initial values, not the leading order. The "
-        "text names the fate of each run by its side of the trivial solution.",
+        note=f"About the compliant model (modelsys1 to modelsys5) from these initial values, not the leading order. "
+        f"The text {NAMED[PANELS[beta]]}.",
     )
 
 

@@ -18,14 +18,17 @@ def run(
     *,
     speed: Any = arb("0.02"),  # noqa: B008
     free: Any = arb("0.1"),  # noqa: B008
+    rise: Any = arb("0.21"),  # noqa: B008
+    height: Any = arb("-0.2"),  # noqa: B008
     lower: Any = fmpq(1, 9),  # noqa: B008
     upper: Any = fmpq(1, 9),  # noqa: B008
     events: int = 2,
     outcome: Outcome = Outcome.PROVED,
     statement: str = ONE_FLIGHT,
 ) -> Any:
-    """As a run of ε = 1/1000: 300 ε^(4/3) is 0.03, 13 ε^(2/3) 0.13 and 45 ε^(2/3) 0.45; ``free``: b at lift-off."""
-    first = SimpleNamespace(lower=fmpq(-1), velocity=arb(5), state=SimpleNamespace(b=free))
+    """As a run of ε = 1/1000: 300 ε^(4/3) is 0.03, 13 ε^(2/3) 0.13 and 45 ε^(2/3) 0.45; at lift-off b, V and Y are
+    ``free``, ``rise`` and ``height``."""
+    first = SimpleNamespace(lower=fmpq(-1), velocity=arb(5), state=SimpleNamespace(b=free, V=rise, Y=height))
     last = SimpleNamespace(lower=lower, upper=upper, velocity=-speed, state="at touch-down")
     return SimpleNamespace(
         verdict=SimpleNamespace(outcome=outcome, statement=statement),
@@ -49,6 +52,10 @@ def run(
         (run(free=arb(0)), False),
         (run(free=arb("-0.1")), False),
         (run(free=arb("0.1", "0.1")), None),
+        (run(rise=arb("0.19")), False),
+        (run(rise=arb("0.21", "0.1")), None),
+        (run(height=arb(0)), False),
+        (run(height=arb("0.1")), False),
         (run(lower=fmpq(0)), None),
         (run(lower=fmpq(-1)), None),
         (run(upper=fmpq(449999, 1000000)), True),

@@ -227,6 +227,12 @@ def test_another_start_has_another_share(
     assert ledger.same_share() is answer
 
 
+def test_the_share_is_that_of_every_alpha_2(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = ledger.case_ii
+    monkeypatch.setattr(ledger, "case_ii", lambda nu, epsilon, _=1: honest(nu, epsilon))
+    assert ledger.same_share() is None
+
+
 @pytest.mark.parametrize(("share", "answer"), [(None, None), (-1, None), (0, None), (1, True)])
 def test_the_share_must_be_positive(monkeypatch: pytest.MonkeyPatch, share: int | None, answer: bool | None) -> None:
     monkeypatch.setattr(ledger, "least_share", lambda *_: share)

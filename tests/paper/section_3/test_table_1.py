@@ -331,3 +331,12 @@ def test_values_at_two_small_epsilon(monkeypatch: pytest.MonkeyPatch, name: str)
     assert ledger.values_follow(name) is False
     monkeypatch.setattr(ledger, "value", lambda *_: None)
     assert ledger.values_follow(name) is None
+
+
+def test_the_sign_of_what_is_measured() -> None:
+    """The table has the exponents of the sizes."""
+    assert {name: ledger.negative(name) for name in "bvy"} == {
+        "b": [fmpq(1, 2), fmpq(5, 2)],
+        "v": [fmpq(1, 2)],
+        "y": [fmpq(1, 2), fmpq(3, 2)],
+    }
