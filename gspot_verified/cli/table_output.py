@@ -96,13 +96,13 @@ def _write(run: TableRun, journal: Path | None, with_state: bool, answers: Answe
     require_writer("--output", output)
     outputs.file("--journal", journal)
     mechanism = load_with_settings(run.name, run.settings)
-    columns = parameter_rows(mechanism, table, with_state).parameters
-    twice = next((word for word in columns if word in given_values(run.settings)), None)
+    columns = parameter_rows(mechanism, table, with_state)
+    twice = next((word for word in columns.parameters if word in given_values(run.settings)), None)
     if twice is not None:
         raise ValueError(f"--set {twice}: the table has a column {twice}")
     counts: dict[str, int] = {}
     with executor(run.workers, run.scheduler) as pool, outputs.journal(journal):
-        write_answers(output, _lines(answers(mechanism, pool), counts), columns)
+        write_answers(output, _lines(answers(mechanism, pool), counts), columns.names)
     total = sum(counts.values())
     typer.echo(f"{mechanism.name}: {counted(total, 'row')}")
     for what, count in sorted(counts.items()):

@@ -53,6 +53,22 @@ def test_parquet_holds_what_csv_holds(tmp_path: Path) -> None:
         ]
 
 
+def test_a_component_named_like_a_bound_is_text_in_parquet(tmp_path: Path) -> None:
+    """As doubles a fraction could not be read, after all rows were done, and a long decimal would be rounded."""
+    from pyarrow import parquet
+
+    text = (
+        shipped_text("model_system").replace('"x", "u", "y"', '"x", "u_lower", "y"').replace('["u", 0', '["u_lower", 0')
+    )
+    text = text.replace('fixed = ["x", "u"]', 'fixed = ["x", "u_lower"]').replace("\nu = 1", "\nu_lower = 1")
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    values = ["30/10", "3.00000000000000000001"]
+    given = table(tmp_path, "u_lower,p,b\n" + "".join(f"{value},1/2,-2\n" for value in values))
+    words = ["approach", str(tmp_path / "own.toml"), "--table", str(given), "--from", "x=0", "--output"]
+    assert main([*words, str(tmp_path / "answers.parquet")]) == 0
+    assert parquet.read_table(tmp_path / "answers.parquet").to_pydict()["u_lower"] == values
+
+
 def test_all_settled_with_settings(tmp_path: Path) -> None:
     given, output = table(tmp_path, "L\n1\n2\n"), tmp_path / "answers.csv"
     assert main([*WORDS, str(given), "--output", str(output), "--set", "mu=8/5"]) == 0

@@ -32,7 +32,7 @@ from gspot_verified.mechanisms.derive.derived import Derived
 from gspot_verified.mechanisms.derive.slip_speed import NOT_LAGRANGIAN, depends_on_slip_speed
 from gspot_verified.mechanisms.formulas.rewriting import along, rebuilt
 from gspot_verified.mechanisms.formulas.simplify import (
-    NumberTooLargeError,
+    NoNumberError,
     constant,
     cosine_of,
     minus,
@@ -72,13 +72,13 @@ class Preparation:
     def __call__(self, functions: Sequence[Expression]) -> list[Expression]:
         """The functions of the shifted state.
 
-        :raises MechanismError: a division by zero, or a number that grows too large, with these parameters.
+        :raises MechanismError: a division by zero, a number that is not real or grows too large, with these parameters.
         """
         made: dict[Expression, Expression] = {}
         try:
             for node in in_order(functions):
                 made[node] = self._table[node] if node in self._table else self._rewritten(node, made)
-        except (ZeroDivisionError, NumberTooLargeError) as error:
+        except (ZeroDivisionError, NoNumberError) as error:
             raise MechanismError(f"{self._name}: with the values of the parameters: {error}") from None
         return [made[function] for function in functions]
 

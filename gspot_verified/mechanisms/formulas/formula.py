@@ -18,7 +18,7 @@ from gspot_verified.functions.derivative import ZERO
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.formulas.names import FUNCTIONS, LETTERS, FormulaError, nearest, normal_name
 from gspot_verified.mechanisms.formulas.simplify import (
-    NumberTooLargeError,
+    NoNumberError,
     constant,
     cosine_of,
     exponential_of,
@@ -122,7 +122,7 @@ class _Parser:
     def whole(self) -> Expression:
         try:
             part = self._sum()
-        except NumberTooLargeError as error:
+        except NoNumberError as error:
             self._refuse(str(error), self._place())
         if self._next < len(self._tokens):
             self._refuse(f"unexpected {self._peek()[:40]!r}", self._place())

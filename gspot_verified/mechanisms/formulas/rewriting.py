@@ -51,7 +51,7 @@ def replaced(roots: Sequence[Expression], table: Mapping[Expression, Expression]
     """The functions with what the table says in the place of its keys, simplified.
 
     :raises ZeroDivisionError: something divides by zero then.
-    :raises NumberTooLargeError: a number becomes too large.
+    :raises NoNumberError: a number becomes too large, or is not real.
 
     >>> from gspot_verified.functions.derivative import ZERO
     >>> from gspot_verified.functions.expressions import Variable

@@ -31,8 +31,16 @@ MAX_NUMBER_BITS = 20_000  # numerator and denominator together: a limit against 
 _OPENED = 12  # terms or factors: longer sums and products count as one, any number is correct
 
 
-class NumberTooLargeError(ValueError):
+class NoNumberError(ValueError):
+    """A part of a formula without variables is no number that is worked with."""
+
+
+class NumberTooLargeError(NoNumberError):
     """A rational number in a formula has too many digits."""
+
+
+class NotRealError(NoNumberError):
+    """A root or a logarithm of a number that has no real one: a power of the root may be real again."""
 
 
 def constant(value: fmpq | int) -> Constant:
@@ -179,6 +187,7 @@ def power_of(base: Expression, exponent: fmpq) -> Expression:
 
     :raises ZeroDivisionError: a negative power of 0.
     :raises NumberTooLargeError: a number that becomes too large.
+    :raises NotRealError: a root of a negative number.
 
     >>> power_of(product_of(constant(3), Variable(0)), fmpq(2))
     Product(left=Constant(value=9), right=Power(base=Variable(index=0), exponent=2))
@@ -200,7 +209,13 @@ def power_of(base: Expression, exponent: fmpq) -> Expression:
 
 
 def _number_power(number: fmpq, exponent: fmpq) -> Expression:
-    """A power of a number: computed when it is rational, a node otherwise."""
+    """A power of a number: computed when it is rational, a node otherwise.
+
+    >>> _number_power(fmpq(-1), fmpq(1, 2))
+    Traceback (most recent call last):
+    ...
+    gspot_verified.mechanisms.formulas.simplify.NotRealError: a root of the negative number -1
+    """
     if number == 0:
         if exponent < 0:
             raise ZeroDivisionError("division by zero")
@@ -210,7 +225,9 @@ def _number_power(number: fmpq, exponent: fmpq) -> Expression:
         raise NumberTooLargeError(f"a number grows beyond {MAX_NUMBER_BITS} bits")
     if exponent.q == 1:
         return constant(number ** int(exponent.p))
-    if exponent.q == 2 and number > 0:
+    if number < 0:
+        raise NotRealError(f"a root of the negative number {number}")
+    if exponent.q == 2:
         parts = [int(number.p), int(number.q)]
         roots = [isqrt(part) for part in parts]
         if all(root * root == part for root, part in zip(roots, parts, strict=True)):
@@ -244,7 +261,13 @@ def exponential_of(argument: Expression) -> Expression:
 
 
 def logarithm_of(argument: Expression) -> Expression:
-    """The natural logarithm."""
+    """The natural logarithm.
+
+    :raises NotRealError: of a number that is not positive.
+    """
+    value = rational_value(argument)
+    if value is not None and value <= 0:
+        raise NotRealError(f"the logarithm of {value}")
     return ZERO if argument is ONE else Logarithm(argument)
 
 

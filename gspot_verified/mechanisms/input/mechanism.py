@@ -21,7 +21,7 @@ from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
 from gspot_verified.mechanisms.formulas.names import nearest
 from gspot_verified.mechanisms.formulas.rewriting import replaced
-from gspot_verified.mechanisms.formulas.simplify import NumberTooLargeError, constant, minus, rational_value
+from gspot_verified.mechanisms.formulas.simplify import NoNumberError, constant, minus, rational_value
 from gspot_verified.mechanisms.formulas.symbol import Symbol, symbol_names
 from gspot_verified.mechanisms.input.planar_links import PlanarLinks
 from gspot_verified.numbers.balls import ExactInput, exact
@@ -256,7 +256,7 @@ class Mechanism(Shown):
                 table: dict[Expression, Expression] = {Symbol(used): values[used] for used in uses[name]}
                 try:
                     (values[name],) = replaced([waiting.pop(name)], table)
-                except (ZeroDivisionError, NumberTooLargeError) as error:
+                except (ZeroDivisionError, NoNumberError) as error:
                     raise MechanismError(f"{self.name}: parameter {name}: {error}") from None
         return values
 

@@ -21,7 +21,7 @@ from gspot_verified.numbers.packed import PackedIntervals
 from gspot_verified.signs.gamma.side import MAX_BETA, gamma_sign
 
 DIFFERENCE = "alpha_3 - alpha_1"
-HYPOTHESES = ("the mass matrix is positive definite", "mu >= 0")
+HYPOTHESES = ("the mass matrix is positive definite", "mu >= 0", "all formulas have values")
 TOO_LARGE = "beta <= 10^6"
 SEVERAL = "beta - n for several n"
 
@@ -59,7 +59,7 @@ class Findings:
 def equations(system: ParametricSystem) -> Equations:
     """The conditions and, as further functions, what :func:`findings` looks at."""
     functions = [
-        *system.conditions, system.alpha_1, system.alpha_2, system.alpha_3, system.slip, system.friction,
+        *system.conditions, system.alpha_1, system.alpha_2, system.alpha_3, system.slip, system.friction, system.domain,
         *(entry for row in system.matrix for entry in row),
     ]  # fmt: skip
     return Equations(BoxProgram(functions, system.dimension + len(system.parameters)), system.dimension)
@@ -119,9 +119,10 @@ def _beta(on: OnTube, numbers: Mapping[str, arb]) -> arb:
 
 def _doubts(on: OnTube) -> tuple[str, ...]:
     """The hypotheses that are not certain on the whole tube."""
-    friction, *entries = on.quantities[4:]
-    shown = positive_definite([on.value(entry) for entry in entries]), at_most(0, on.value(friction))
-    return tuple(name for name, holds in zip(HYPOTHESES, shown, strict=True) if holds is None)
+    friction, domain, *entries = on.quantities[4:]
+    definite, pushes = positive_definite([on.value(entry) for entry in entries]), at_most(0, on.value(friction))
+    shown = definite is not None, pushes is not None, on.value(domain).is_finite()
+    return tuple(name for name, holds in zip(HYPOTHESES, shown, strict=True) if not holds)
 
 
 def _side(beta: arb, known: Mapping[str, int]) -> tuple[int | None, int | None, tuple[str, ...]]:

@@ -27,7 +27,7 @@ from gspot_verified.mechanisms.sweep.sweep_piece import Kind, SweepPiece
 from gspot_verified.mechanisms.sweep.sweep_pieces import PieceStore, packed
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
 from gspot_verified.mechanisms.zeros.tube import Equations, OnTube, Tube, try_tube
-from gspot_verified.numbers.balls import approximate, ball_text, working_bits
+from gspot_verified.numbers.balls import approximate, ball_text, hull, working_bits
 from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
@@ -98,7 +98,10 @@ def fold_next_to(system: ParametricSystem, equations: Equations, tube: Tube, end
     if short is None or not _same_curve(arc.tube, short.tube):
         return None
     far = _other_end(curve, arc, zero[along], cut.ends)
-    return None if far is None else _as_far_as_both(_fold(system, short, along, cut.direction, end), far[len(others)])
+    fold = _fold(system, short, along, cut.direction, end)
+    if far is None or not _has_formulas(system, fold):
+        return None
+    return _as_far_as_both(fold, far[len(others)])
 
 
 def turned(system: ParametricSystem, along: int) -> Equations:
@@ -183,6 +186,13 @@ def _other_end(curve: Equations, arc: OnTube, start: arb, ends: tuple[fmpq, fmpq
     if at is None or not tube.holds_at(place, at.tube.zero_at(place)):
         return None
     return at.tube.zero_at(place)
+
+
+def _has_formulas(system: ParametricSystem, fold: Fold) -> bool:
+    """Whether all formulas of the parameter have values from the fold as far as the continued spot was followed."""
+    values = hull([fold.value.to_ball(), arb(fold.reach)])
+    state = [arb(0)] * system.dimension
+    return BoxProgram([system.domain], system.dimension + 1).values([*state, values])[0].is_finite()
 
 
 def _as_far_as_both(fold: Fold, other: arb) -> Fold | None:

@@ -40,6 +40,11 @@ class ParameterRows:
     rows: Iterator[ParameterRow]
     components: tuple[str, ...] = ()
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of all columns."""
+        return *self.parameters, *self.components
+
 
 def parameter_rows(mechanism: Mechanism, table: str | Path | Iterable[Row], with_state: bool = False) -> ParameterRows:
     """The rows of a CSV file whose first line names the parameters, or of mappings, the first of which names them.

@@ -14,16 +14,18 @@ import sympy
 from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from samples.families import three_alphas
+from samples.families import family, three_alphas
 
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Variable
+from gspot_verified.mechanisms.input.mechanism import MechanismError
 from gspot_verified.mechanisms.spots.classify import classify
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_findings import Findings, case_of_signs
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep.sweep_result import ZeroOnLine
 from gspot_verified.mechanisms.sweep.sweep_start import Origin, proved_tube
+from gspot_verified.mechanisms.table.classify_table import classify_table
 from gspot_verified.mechanisms.zeros.tube import Equations
 from gspot_verified.numbers.balls import working_bits
 
@@ -234,3 +236,34 @@ def test_a_piece_says_what_holds_on_all_of_it(
         assert found is None or value is None or found.contains(value)
     assert (piece.lower, piece.upper, piece.kind, piece.passing) == (on.tube.lower, on.tube.upper, kind, None)
     assert piece.tube() is not None
+
+
+@pytest.mark.parametrize(
+    ("first", "other", "beyond"),
+    [
+        ("-l*(k - 2)", "1/(k - 2)", 3),
+        ("-1 - l^2 + k", "sqrt(k)", 1),
+        ("-1 + 0*l", "log(k)", 1),
+        ("-l/(k - 2)", "k - 2", 3),
+    ],
+)
+def test_where_a_formula_has_no_value_nothing_is_settled(first: str, other: str, beyond: int) -> None:
+    """α_1 = -1 is what is left of all of them: at k = 2, or for k < 0, there is no such mechanism."""
+    lower = fmpq(1 if beyond == 3 else -1)
+    mechanism = three_alphas(first, "-1", "-3/2", other=other, k=str(beyond))
+    found = sweep(mechanism, {"k": (lower, beyond, 3)})
+    assert found.verdict.exit_code == 2
+    missing = fmpq(2) if beyond == 3 else fmpq(-1, 2)
+    assert not any(piece.kind is Kind.SETTLED for piece in found.pieces if piece.holds([missing]))
+    assert any(piece.kind is Kind.SETTLED for piece in found.pieces)
+    with pytest.raises(MechanismError, match=r"division by zero|a root of the negative|the logarithm of"):
+        classify(mechanism.with_parameters(k=missing))
+    nowhere, somewhere = classify_table(mechanism, [{"k": missing}, {"k": beyond}])
+    assert nowhere.case is None
+    assert (nowhere.outcome, somewhere.outcome) in {("refused", "settled"), ("undecided", "settled")}
+
+
+def test_a_fold_is_one_of_the_mechanism() -> None:
+    """p = q^2 - k has its fold at k = 0, where there is no 1/k."""
+    assert sweep(family("q^2 - k*w*(k + 1)", "1", w="1/(k + 1)"), {"k": "-1/3..1:5"}).folds
+    assert sweep(family("q^2 - k*w*k", "1", w="1/k"), {"k": "-1/3..1:5"}).folds == ()
