@@ -175,7 +175,7 @@ def zeros(
     code 2: a range of β is left without tubes.
 
     With --epsilon: of the contact force's deviation λ − λ̄ on the slow manifold of the compliant model at that ε,
-    with α1 = -1.
+    with α1 = -1 and C1 other than 0.
     """
     from gspot_verified.certificates.text import write_certificate
     from gspot_verified.signs.gamma.count_law import numbers_on

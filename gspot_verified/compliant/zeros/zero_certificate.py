@@ -79,8 +79,8 @@ def slow_zeros_certificate(beta: Range | str, epsilon: ExactInput) -> SlowZerosC
     :raises NotProvable: the pieces were not found; the bound is enough for epsilon up to about 17, not up to 32.
 
     >>> print(slow_zeros_certificate("9/2..37/8", 10).statement)
-    two real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, both simple, for every β in \
-(9/2, 37/8) that is not an integer and every ε in (0, 10]
+    two real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, C₁ ≠ 0, both simple, for \
+every β in (9/2, 37/8) that is not an integer and every ε in (0, 10]
     """
     betas = beta if isinstance(beta, Range) else Range.parse(beta, "beta")
     small = checked_point(epsilon, "epsilon")

@@ -26,7 +26,7 @@ from gspot_verified.signs.gamma.count_law import number_of_zeros as law
 
 MAX_BETA = 40  # a limit of input: ValueError beyond it
 MAX_DIGITS = 100  # of the places of zeros; a limit of input: ValueError beyond it
-SYSTEM = "λ − λ̄ on the slow manifold of the compliant model with α₁ = −1"
+SYSTEM = "λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, C₁ ≠ 0"
 _MORE_ORDERS = 10  # in tau, beyond b: with more the remainder is less; chosen by trial: any number is right
 _FIRST_BITS = 80  # at the first try, then twice as many
 _TRIES = 3  # then the number stays open
@@ -98,7 +98,7 @@ def slow_zeros(beta: ExactInput, epsilon: ExactInput, digits: int = 15) -> SlowZ
     On the slow manifold of the compliant model the contact force is its trivial value plus a multiple of this function
     (``proofs/exact_solution.md``).
 
-    :param beta: one number, 0 < beta <= 40.
+    :param beta: one number, 0 < beta <= 40, other than 1: there the trivial value does not exist.
     :param epsilon: one number, 10^-300 <= epsilon <= 10^6.
     :param digits: decimals of tau = (epsilon/2)^(1/3) T to which each zero is enclosed, 1..100.
     :raises TypeError: a float argument.
@@ -110,6 +110,8 @@ def slow_zeros(beta: ExactInput, epsilon: ExactInput, digits: int = 15) -> SlowZ
     point, small = checked_point(beta, "beta"), checked_point(epsilon, "epsilon")
     if not 0 < point <= MAX_BETA:
         raise ValueError(f"beta: expected a number in (0, {MAX_BETA}], got {point}")
+    if point == 1:
+        raise ValueError("beta: at β = 1 there is no trivial solution, and so no deviation λ − λ̄")
     if not LEAST_EPSILON <= small <= MAX_EPSILON:
         raise ValueError(f"epsilon: expected a number in [1e-300, {MAX_EPSILON}]")
     if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:

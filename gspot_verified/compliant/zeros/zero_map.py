@@ -210,8 +210,8 @@ def zero_map(
     :raises ValueError: beta not inside [1, 10], or epsilon not inside [0, 100].
 
     >>> print(zero_map("17/4..35/8", "1/10"))
-    proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1 for every β in \
-(17/4, 35/8) that is not an integer and at ε = 1/10
+    proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, \
+C₁ ≠ 0 for every β in (17/4, 35/8) that is not an integer and at ε = 1/10
       ε in [0.1, 0.1]: 2 on (17/4, 35/8)
     """
     betas = _ends(beta, "beta", LEAST_BETA, MAX_BETA)

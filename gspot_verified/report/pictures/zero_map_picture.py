@@ -128,9 +128,10 @@ def _caption(result: ZeroMap, folds: list[int]) -> str:
     columns = sum(len(row.columns) for row in result.rows)
     drawn = [f"{n} certified folds, sought from β = {m} on" for m, n in zip(MEETINGS, folds, strict=True) if n]
     return (
-        "The number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1. Certified: the "
-        f"colours, for every β that is not an integer and every ε, for β < {THEOREM_UP_TO} by theorem, beyond by "
-        f"{columns} columns in {len(result.rows)} rows of ε; in a grey box there is at most one fold at each ε. "
+        "The number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, C₁ ≠ 0. "
+        f"Certified: the colours, for every β that is not an integer and every ε, for β < {THEOREM_UP_TO} by theorem, "
+        f"beyond by {columns} columns in {len(result.rows)} rows of ε; "
+        "in a grey box there is at most one fold at each ε. "
         + (f"The curves join {' and '.join(drawn)}; that they are one curve is not shown. " if drawn else "")
         + (f"White: {left} ranges of β not settled." if left else "")
     )
