@@ -219,8 +219,14 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
             return record
         # The phase was followed for (end - began).upper(): an event after ``end`` is none of this run.
         after = less(end, start[CLOCK])
-        if phase_end.event is None or after is not None:
-            record.ended = phase_end.evidence if phase_end.event is None else every([phase_end.evidence, after])
+        if phase_end.event is None:
+            # The states at ``end`` are among these, but no step certainly ends by then: no observer has asked there.
+            if record.violated is None:
+                record.violated = _failed(conditions, phases, now.phase, start, phase_end.evidence)
+            record.ended = phase_end.evidence
+            return record
+        if after is not None:
+            record.ended = every([phase_end.evidence, after])
             return record
         shown = every([phase_end.evidence, at_most(start[CLOCK], end)])
         if shown is None:

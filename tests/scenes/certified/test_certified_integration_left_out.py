@@ -552,6 +552,19 @@ def test_a_condition_that_is_left_in_a_third_derivative_is_seen_at_the_event_tha
     assert fmpq(597, 100000) <= bracket(run, "stick")[1] <= fmpq(598, 100000)
 
 
+def test_a_condition_that_fails_in_a_phase_of_one_step_up_to_the_end_is_seen() -> None:
+    """u = 1 - t is 0 at touch-down, at t = 1, and negative after it: this phase has one step, which ends with the run.
+    It was "proved, provided that the slip velocity is positive"."""
+    for effects, effect in ((CONTACT, "tangential_motion"), (TANGENTIAL, "stick")):
+        falling = scene(block(push="-1"), 2, effects, X_dot="1", y="1/2", v="0", z="0")
+        run = integrated_run(replace(falling, epsilon=fmpq(1, 2)))
+        assert run.fate == REFUTED
+        assert [event.name for event in run.events] == ["touch-down"]
+        assert standing(run)[effect] == VIOLATED
+        lower, upper = bracket(run, effect)
+        assert lower <= 1 <= upper
+
+
 def test_a_wide_bracket_of_a_failure_is_written_by_its_ends() -> None:
     """As a middle and a radius it reached below 0, where nothing moves yet."""
     found = Assumption("stick", "u > 0", VIOLATED, fmpq(83, 320), fmpq(3, 4))
