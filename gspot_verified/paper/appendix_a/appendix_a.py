@@ -185,20 +185,22 @@ def _leading_behaviour() -> Entry:
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
         "As τ → −∞ Θ is asymptotic to 3^(1-β/3) Γ(1+β) h and to (-τ)^β, for every β that is not -1, -2, ...",
-        NEGATIVE.carries(
-            claim.check(
-                "the rest after N terms is at most the next term, once 3N > β; every term of "
-                "3^(1-β/3) Γ(1+β) h is a term of that page, as closed forms in β, k and x",
-                lambda forms: [forms["small front"] * closed_form(printed.SERIES["h"]) / closed_form(POWER)],
-            )
-        ),
-        NEGATIVE.carries(
-            claim.check(
-                "the term with k = 0 is (-τ)^β, as closed forms in β and x",
-                lambda forms: [
-                    forms["small front"] * closed_form(put(printed.SERIES["h"], k="0")) / forms["small leading"]
-                ],
-            )
+        asymptotics.joined(
+            NEGATIVE.carries(
+                claim.check(
+                    "the rest after N terms is at most the next term, once 3N > β; every term of "
+                    "3^(1-β/3) Γ(1+β) h is a term of that page, as closed forms in β, k and x",
+                    lambda forms: [forms["small front"] * closed_form(printed.SERIES["h"]) / closed_form(POWER)],
+                )
+            ),
+            NEGATIVE.carries(
+                claim.check(
+                    "the term with k = 0 is (-τ)^β, as closed forms in β and x",
+                    lambda forms: [
+                        forms["small front"] * closed_form(put(printed.SERIES["h"], k="0")) / forms["small leading"]
+                    ],
+                )
+            ),
         ),
         Rung.POINTS.check(
             f"three terms against the Laplace integral at {len(points)} points",

@@ -59,6 +59,12 @@ def every_coefficient(series: str) -> Check:
     )
 
 
+def joined(*checks: Check) -> Check:
+    """Checks on pages that carry a formula together: a part that does not read all of it cannot agree by itself."""
+    finding = next((check.finding for check in checks if check.agrees is False), "")
+    return Rung.PAGE.check("; ".join(check.what for check in checks), all_of(c.agrees for c in checks), finding)
+
+
 def small(j: int, betas: Sequence[fmpq]) -> Entry:
     """Formula j + 1 of th:4."""
     claim = FormulaClaim(printed.SMALL)
@@ -69,13 +75,15 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
         _SMALL_SOURCE[j],
         f"By DLMF 16.11.8, {CITED}, the asymptotic form of eq. {SMALL_NAMES[j]} holds as τ → −∞ for every β that is "
         "not an integer",
-        CONNECTION.carries(
-            claim.check(
-                "DLMF 16.11.8 with the parameters of th:3 put in, as closed forms in β, k and x",
-                lambda forms: _by_dlmf(j, forms),
-            )
+        joined(
+            CONNECTION.carries(
+                claim.check(
+                    "DLMF 16.11.8 with the parameters of th:3 put in, as closed forms in β, k and x",
+                    lambda forms: _by_dlmf(j, forms),
+                )
+            ),
+            every_coefficient("e"),
         ),
-        every_coefficient("e"),
         Rung.POINTS.check(
             f"4 terms of e_r + i e_i and 9 of h at {len(checked)} points, integers β among them: the error is at most "
             "twice the first omitted terms",
@@ -122,20 +130,22 @@ def large(j: int, betas: Sequence[fmpq]) -> Entry:
         rf"{left}(\ldots)\sim 3^{{({3 - j})/3}}e_1/\Gamma(({j}-\beta)/3)",
         f"The asymptotic form of eq. {LARGE_NAMES[j]} holds as τ → +∞ for every β except {j}, {j + 3}, {j + 6}, ..., "
         "where the c_k with k >= 8 are those of the equation by DLMF 16.11.8, which is cited and not proved here",
-        CONNECTION.carries(
-            claim.check(
-                "β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "
-                "closed forms in β, k and τ",
-                lambda forms: [_by_connection(j) / forms[f"factor {j}"], _by_saddle_point()],
-            )
+        joined(
+            CONNECTION.carries(
+                claim.check(
+                    "β < 0: a third of eq. tlarge over the initial value; e_1 as in proofs/positive.md: "
+                    "closed forms in β, k and τ",
+                    lambda forms: [_by_connection(j) / forms[f"factor {j}"], _by_saddle_point()],
+                )
+            ),
+            CONNECTION.carries(
+                claim.check(
+                    "the step from β - 1 to β: d/dτ takes the formula for β to that for β - 1, as closed forms in β",
+                    lambda forms: [_step(j, forms)],
+                )
+            ),
+            every_coefficient("e_1"),
         ),
-        CONNECTION.carries(
-            claim.check(
-                "the step from β - 1 to β: d/dτ takes the formula for β to that for β - 1, as closed forms in β",
-                lambda forms: [_step(j, forms)],
-            )
-        ),
-        every_coefficient("e_1"),
         Rung.POINTS.check(
             f"4 terms of e_1 at {len(points)} points, integers β among them: the error is at most twice the first "
             "omitted term",
@@ -237,25 +247,27 @@ def theta_large(betas: Sequence[fmpq]) -> Entry:
         r"\Theta\sim\frac{3^{1-\beta/3}}{\Gamma(-\beta)}e_1\sim\frac{\sqrt\pi}{\Gamma(-\beta)}e^{(2/3)\tau^{3/2}}\tau^{-\beta/2-3/4}",
         "Both asymptotic forms hold as τ → +∞ for every β that is not 0, 1, 2, ..., where the c_k with k >= "
         f"{COEFFICIENTS} are those of the equation by DLMF 16.11.8, {CITED}",
-        POSITIVE.carries(
-            claim.check(
-                "(explicit remainder): each term, as a closed form in β, k and τ",
-                lambda forms: [_by_saddle_point(), forms["large leading"] / closed_form(put(SADDLE, k="0"))],
-            )
+        joined(
+            POSITIVE.carries(
+                claim.check(
+                    "(explicit remainder): each term, as a closed form in β, k and τ",
+                    lambda forms: [_by_saddle_point(), forms["large leading"] / closed_form(put(SADDLE, k="0"))],
+                )
+            ),
+            POSITIVE.carries(
+                claim.check(
+                    "the second form is the first with k = 0, as closed forms in β and τ",
+                    lambda forms: [forms["large front"] * closed_form(_leading_e_1("beta")) / forms["large leading"]],
+                )
+            ),
+            INITIAL_VALUES.carries(
+                claim.check(
+                    "the leading term of the polynomial at β = n, for all n",
+                    lambda forms: [closed_form(put(printed.INTEGER_POLYNOMIAL, m="0")) / forms["integer leading"]],
+                )
+            ),
+            every_coefficient("e_1"),
         ),
-        POSITIVE.carries(
-            claim.check(
-                "the second form is the first with k = 0, as closed forms in β and τ",
-                lambda forms: [forms["large front"] * closed_form(_leading_e_1("beta")) / forms["large leading"]],
-            )
-        ),
-        INITIAL_VALUES.carries(
-            claim.check(
-                "the leading term of the polynomial at β = n, for all n",
-                lambda forms: [closed_form(put(printed.INTEGER_POLYNOMIAL, m="0")) / forms["integer leading"]],
-            )
-        ),
-        every_coefficient("e_1"),
         Rung.POINTS.check(
             f"4 terms against the Taylor series at {len(points)} points: the error is at most twice the first "
             "omitted term, and the leading form agrees with the first term",

@@ -35,6 +35,16 @@ def with_beta(beta: int) -> Any:
     return lambda betas: (*betas, fmpq(beta))
 
 
+def turned(honest: str) -> str:
+    """The formula with the other sign."""
+    return f"-({honest})"
+
+
+def doubled(honest: str) -> str:
+    """Twice the formula."""
+    return f"2*({honest})"
+
+
 def near_coefficient(honest: Any) -> Any:
     """The generic factor in front of every c_k."""
     return lambda k: honest(k) * fmpq(1000003, 1000000)
@@ -52,6 +62,8 @@ def _small(j: int, excluded: int) -> tuple[Any, ...]:
     combination = ["real", "imaginary"] if j else ["real"]
     return (
         *(Bite("factor", printed.SMALL, f"{name} {j}", scaled) for name in ("h", "e", *combination)),
+        *(Bite("factor", printed.SMALL, f"{name} {j}", turned, True) for name in ("h", "e", *combination)),
+        *(Bite("factor", printed.SMALL, f"{name} {j}", doubled, True) for name in ("h", "e", *combination)),
         *(Bite("factor", printed.SERIES, name, scaled) for name in ("h", "e")),
         *(Bite("hidden factor", printed.SMALL, f"{name} {j}", _IN_BETA) for name in ("h", "e")),
         Bite("hidden factor", printed.SERIES, "h", unseen_at("k", range(10))),
@@ -74,7 +86,8 @@ def _initial_value(label: str, excluded: int) -> tuple[Any, ...]:
 def _large(j: int) -> tuple[Any, ...]:
     return (
         Bite("factor", printed.LARGE, f"factor {j}", scaled),
-        Bite("factor", printed.SERIES, "e_1", scaled),
+        *(Bite("factor", printed.LARGE, f"factor {j}", wrong, refutes=True) for wrong in (turned, doubled)),
+        *(Bite("factor", printed.SERIES, "e_1", wrong, refutes=True) for wrong in (scaled, turned, doubled)),
         Bite("hidden factor", printed.LARGE, f"factor {j}", _IN_BETA),
         Bite("hidden factor", printed.SERIES, "e_1", unseen_at("k", range(5))),
         Bite("hypothesis", asymptotics.EXCEPTIONS, str(j), lambda honest: f"{honest}+3"),
@@ -116,6 +129,8 @@ TEETH: Teeth = {
     "A-t03": _initial_value("t03", 2),
     "A-leading": (
         *(Bite("factor", printed.THETA, name, scaled) for name in ("small front", "small leading")),
+        *(Bite("factor", printed.THETA, name, turned, True) for name in ("small front", "small leading")),
+        *(Bite("factor", printed.THETA, name, doubled, True) for name in ("small front", "small leading")),
         Bite("factor", printed.SERIES, "h", scaled),
         *(Bite("hidden factor", printed.THETA, name, _IN_BETA) for name in ("small front", "small leading")),
         Bite("hidden factor", printed.SERIES, "h", unseen_at("k", range(12))),
@@ -136,6 +151,8 @@ TEETH: Teeth = {
     ),
     "A-tlarge": (
         *(Bite("factor", printed.THETA, name, scaled) for name in ("large front", "large leading")),
+        *(Bite("factor", printed.THETA, name, turned, True) for name in ("large front", "large leading")),
+        *(Bite("factor", printed.THETA, name, doubled, True) for name in ("large front", "large leading")),
         Bite("factor", printed.SERIES, "e_1", scaled),
         Bite("factor", printed.THETA, "integer leading", scaled),
         Bite("hidden factor", printed.THETA, "integer leading", unseen_at("n", range(6))),
