@@ -48,7 +48,15 @@ _BY_SIDES = "names the fate of each run but ν = 1 by its side of the trivial so
 NAMED = {"a": "names this fate for all runs of the panel", "b": _BY_SIDES, "c": _BY_SIDES}
 """How the text says what a run does."""
 BELOW = "; z begins below 0 and falls where it is 0 (modelsys5), y = z - ε² λ_N"
-BY_AN_INTEGRAL = "y = z - ε² λ_N, and e^(t/ε) z falls from below 0 (modelsys5); "
+BY_AN_INTEGRAL = "while λ_N > 0 e^(t/ε) z falls from below 0 (modelsys5), and y = z - ε² λ_N; "
+AT_POINTS = {
+    IMPACT: "K > 0, which an impact needs, and λ_N > 0 up to t = 2 ε^(2/3)",
+    LIFT_OFF: "K < 0, and the first zero of λ_N is after p = 0",
+    TRIVIAL: "the deviation is 0, and λ_N > 0 up to t = 2 ε^(2/3)",
+}
+"""What is seen at one ε: of an impact and of the trivial solution less than what is drawn."""
+FOUND = {IMPACT: "K > 0, λ_N > 0", LIFT_OFF: "lift-off", TRIVIAL: "deviation 0, λ_N > 0", EARLY: EARLY, None: "open"}
+"""The same in a word, for what came out."""
 RATE_OF_Z, FORCE = "-z - lam", "z - y"
 """ε z' of modelsys5 and ε² λ_N of compl2, with ε² λ_N as lam."""
 
@@ -81,7 +89,7 @@ def is_trivial(beta: fmpq, nu: fmpq) -> bool:
 
 
 def fate_at(beta: fmpq, nu: fmpq, epsilon: fmpq) -> str | None:
-    """The fate at one ε by the sign of K and by intervals: the lift-off in a bracket, or λ_N > 0 up to τ = 2."""
+    """The fate that is left at one ε: the lift-off in a bracket, or the sign of K and λ_N > 0 up to t = 2 ε^(2/3)."""
     model, state = initial_state(beta, nu, epsilon)
     hat, side = deviation(model, state), side_rule(model, state).side
     fate = TRIVIAL if all(value == 0 for value in (hat.b, hat.V, hat.Y, hat.Z)) else IMPACT if side > 0 else None
@@ -125,7 +133,7 @@ def are_drawn(beta: fmpq, nu: fmpq, found: Sequence[str | None]) -> bool | None:
 
 
 def _some_time(epsilon: fmpq) -> fmpq:
-    """A time t > 0 with τ = (ε/2)^(1/3) t/ε near 2: ε^(2/3) rounded for the ε of POINTS."""
+    """t = 2 ε^(2/3), for the ε of POINTS."""
     tens = len(str(int(1 / epsilon))) - 1
     return 2 * fmpq(1, 10 ** (2 * tens // 3))
 
@@ -140,10 +148,10 @@ def _entry(beta: fmpq, nu: fmpq, every: str, proof: Check) -> Entry:
         f"every {every}: {DRAWN[FATES[beta][nu]]}",
         proof,
         Rung.POINTS.check(
-            f"{BY_AN_INTEGRAL if FATES[beta][nu] == IMPACT else ''}the sign of K and intervals at ε = 10^-3, 10^-6, "
+            f"{BY_AN_INTEGRAL if FATES[beta][nu] == IMPACT else ''}{AT_POINTS[FATES[beta][nu]]}, at ε = 10^-3, 10^-6, "
             "10^-12",
             with_the_depth(beta, nu, are_drawn(beta, nu, tried), surface_by_an_integral),
-            ", ".join(fate or "open" for fate in tried),
+            "; ".join(FOUND[fate] for fate in tried),
         ),
         note=f"About the compliant model (modelsys1 to modelsys5) from these initial values, not the leading order. "
         f"The text {NAMED[PANELS[beta]]}.",
@@ -153,7 +161,8 @@ def _entry(beta: fmpq, nu: fmpq, every: str, proof: Check) -> Entry:
 def _run(beta: fmpq, nu: fmpq) -> Entry:
     every, fate = f"ε in (0, {EPSILON_0[beta]}]", proved_fate(beta, nu)
     finding = f"every {every}: {fate or 'open'}"
-    what = f"proofs/paper_runs.md, Theorem A'{BELOW if FATES[beta][nu] == IMPACT else ''}"
+    what = "proofs/paper_runs.md, Theorem A', on all of the statement: its bounds in balls"
+    what += BELOW if FATES[beta][nu] == IMPACT else ""
     agrees = with_the_depth(beta, nu, are_drawn(beta, nu, [fate]), surface_stays_below)
     return _entry(beta, nu, every, Rung.BALLS.check(what, agrees, finding))
 

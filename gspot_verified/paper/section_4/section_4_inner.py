@@ -117,7 +117,7 @@ def _inner_fast_polynomial() -> Entry:
         "4-inner-fast-polynomial",
         "line 1164",
         r"-\lambda^3[\lambda+2]=0",
-        "On the inner scale the fast system has the roots 0, 0, 0, -2",
+        "On the inner scale the fast system, in the time s_f with ds = δ ds_f, δ = ε^(1/3), has the roots 0, 0, 0, -2",
         this.check("exponentials in the fast equation at δ = 0", exponential),
         this.check(
             "determinant of λ I minus the matrix of the fast system at p = 0",

@@ -195,7 +195,8 @@ def _cases_one_and_two() -> Entry:
             all_of(is_the_factor_times_an_integral(*row) for row in rows),
         ),
         note='S-iwc without the words "at leading order". In Case II the contact holds for every t; in Case I it holds '
-        "for ever once λ_N > 0. Other initial states are not covered.",
+        "for ever once λ_N > 0. The deviations are linear in C_1, so for C_1 > 0 they have the other signs "
+        "(proofs/monotone.md, Theorem A). Other initial states are not covered.",
     )
 
 

@@ -287,7 +287,8 @@ def _step_4() -> Entry:
             "a quartic with symbols as coefficients and ξ_k as symbols; the conditions in three nonlinear systems",
             step_4_in_systems(),
         ),
-        note="f_n is a polynomial in ξ_0, ..., ξ_(n-2): 5-lemma-orders.",
+        note="f_n is a polynomial in ξ_0, ..., ξ_(n-2): 5-lemma-orders. p_n(0) = 0 for every n: that p_n(0) stands "
+        "there, and not p_k(0) of another k, is shown by the powers of δ alone, which the systems cannot tell.",
     )
 
 

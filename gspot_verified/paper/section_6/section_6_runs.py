@@ -204,8 +204,9 @@ def _time() -> Entry:
         "6-lift-off-time",
         "lines 2250 to 2252",
         r"\text{lift-off takes place just after } t=10^{-3}",
-        "First start, on a belt that is fast enough, ε = 10^-6: at leading order the contact lifts off later than "
-        "10^-3 after p = 0, at a time that rounds to the one printed digit, with the C_1 of this start",
+        f"First start, on a belt that is fast enough, ε = 10^-6: at leading order, from τ = {TAU_START} on, the "
+        "contact first lifts off later than 10^-3 after p = 0, at a time that rounds to the one printed digit, with "
+        "the C_1 of this start",
         Rung.BALLS.check(
             "proofs/iwc.md, section 4, at both ends of the ball of C_1; proofs/approach.md for C_1",
             None if bracket is None else is_just_after(*bracket),
@@ -216,6 +217,7 @@ def _time() -> Entry:
             floats_are_just_after(delay),
             "" if delay is None else f"t = {approximate(delay):.6g}",
         ),
+        note="That contact is kept before, up to p < 0, is shown for every ε up to some ε_0: 6-first-start.",
     )
 
 

@@ -157,3 +157,16 @@ def test_the_fate_at_one_epsilon(
     monkeypatch.setattr(varsim1, "contact_lasts", lambda *_: SimpleNamespace(outcome=outcome))
     monkeypatch.setattr(varsim1, "first_zero", lambda *_, **__: SimpleNamespace(lower=lower))
     assert varsim1.fate_at(*run, fmpq(1, 1000)) == fate
+
+
+@pytest.mark.parametrize("run", [IMPACT, LIFT_OFF, TRIVIAL])
+def test_what_is_seen_at_a_point_is_said_as_it_is(monkeypatch: pytest.MonkeyPatch, run: Any) -> None:
+    """That λ_N > 0 up to a time, and the sign of K, are no impact: the theorem alone has all of the statement."""
+    monkeypatch.setattr(varsim1, "fate_at", lambda beta, nu, _: varsim1.FATES[beta][nu])
+    theorem, points = varsim1.ENTRIES[varsim1.identifier(*run)]().checks
+    assert ("on all of the statement" in theorem.what) is (run != TRIVIAL)
+    assert ("K > 0, which an impact needs" in points.what) is (run == IMPACT)
+    assert ("up to t = 2 ε^(2/3)" in points.what) is (run != LIFT_OFF)
+    assert "impact" not in points.finding
+    assert points.finding.count(varsim1.FOUND[varsim1.FATES[run[0]][run[1]]]) == len(varsim1.POINTS)
+    assert all(varsim1._some_time(point) ** 3 == 8 * point**2 for point in varsim1.POINTS)

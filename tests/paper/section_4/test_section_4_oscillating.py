@@ -46,6 +46,24 @@ def test_the_identities_hold_and_need_the_constant() -> None:
     assert ledger.modulo_constant(ledger.ALGEBRA.read("8*c^4*u + c^2")) == ledger.ALGEBRA.read("2*c*u + c^2")
 
 
+def test_the_steps_on_what_determines_theta(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Section 2 of the page: the corrected form of the entry."""
+    assert ledger.next_term_is_smaller()
+    assert ledger.parts_of_the_determinant()
+    assert ledger.sines_do_not_cancel()
+    with monkeypatch.context() as patch:
+        patch.setitem(ledger.POWERS, "oscillating", "-beta/2 - 9/4")  # one term more would be needed
+        assert not ledger.next_term_is_smaller()
+    with monkeypatch.context() as patch:
+        patch.setitem(ledger.SMALL, "real 2", "1")
+        assert not ledger.parts_of_the_determinant()
+    monkeypatch.setattr(ledger, "SINES", ("sine", *ledger.SINES[1:]))
+    assert not ledger.sines_do_not_cancel()
+    entry = ledger.ENTRIES["4-behaves-like"]()
+    assert entry.checks[0].agrees is None
+    assert entry.corrected.startswith("for β > -1/2 not an integer")
+
+
 @pytest.mark.parametrize("beta", [fmpq(1, 2), fmpq(7, 5), fmpq(-1, 3), fmpq(10, 3)])
 def test_the_determinant_of_the_page(beta: fmpq) -> None:
     with working_bits(200):
