@@ -108,14 +108,20 @@ def numbers() -> bool | None:
 
 COMMON = (energy_falls, one_turn)
 Q2 = Page("restitution", (*COMMON, loss_is_work, lag, numbers))
-Q3 = Page("restitution", (*COMMON, creeps))
+BOTH = Page("restitution", (*Q2.steps, creeps))
 
 
 def loss_vanishes(powers: dict[str, fmpq]) -> bool | None:
-    """Whether one of the bounds of Theorem Q2 on 1 - e² tends to 0 when k_1, k_2, c are these powers of n."""
+    """Whether one of the bounds of Theorem Q2 on 1 - e² tends to 0 when k_1, k_2, c are these powers of n.
+
+    False where e stays below a number below 1 for some constants: ρ and ζ are fixed, and e < 1 (Theorem Q1); or ρ and
+    sqrt(ρ)/ζ tend to 0 and ζ to 0 or to a number, such as 1/2, that e is at most in the limit (Theorem Q3).
+    """
     k_1, k_2, c = (powers.get(name, fmpq(0)) for name in ("k_1", "k_2", "c"))
     rho, zeta = k_1 - k_2, c - k_2 / 2
-    return True if rho > 0 or zeta > 0 or (rho == 0 and zeta < 0) else None
+    if rho > 0 or zeta > 0 or (rho == 0 and zeta < 0):
+        return True
+    return False if rho == zeta == 0 or rho < 2 * zeta else None  # rho <= 0 and zeta <= 0 here
 
 
 def at(powers: dict[str, fmpq], n: int) -> tuple[fmpq, fmpq]:
@@ -147,7 +153,7 @@ def _elastic() -> Entry:
         r"e\to1:\quad c\to0,\ c\to\infty,\ k_2\to0,\ k_1\to\infty",
         "The energetic coefficient of restitution e of an impact (constant p > 0, λ_N the only force, y = z = 0 at its "
         "start) tends to 1 as c → 0, c → ∞, k_2 → 0 or k_1 → ∞, the other constants fixed",
-        Q2.carries(
+        BOTH.carries(
             Rung.EXACT.check(
                 "Theorem Q2: bounds on 1 - e², one of which tends to 0 in each limit",
                 all_of(loss_vanishes(powers) for powers in ELASTIC.values()),
@@ -211,10 +217,15 @@ def _consistent() -> Entry:
 
 
 def bound_vanishes() -> bool | None:
-    """Whether ζ, sqrt(ρ)/ζ and ρ tend to 0 for k_1 = n^a, k_2 = n^b of the signs of the limit, c and p fixed."""
+    """Whether ζ, sqrt(ρ)/ζ and ρ tend to 0 for k_1 = n^a, k_2 = n^b of the signs of the limit, c and p fixed.
+
+    False where e tends to 1 (Theorem Q2).
+    """
     a, b = INELASTIC["k_1"], INELASTIC["k_2"]
     exponents = (fmpq(-b, 2), fmpq(a, 2), fmpq(a - b))
-    return True if all(exponent < 0 for exponent in exponents) else None
+    if all(exponent < 0 for exponent in exponents):
+        return True
+    return False if loss_vanishes({"k_1": fmpq(a), "k_2": fmpq(b)}) else None
 
 
 def root(p: fmpq) -> fmpq:
@@ -241,7 +252,7 @@ def _inelastic() -> Entry:
         r"e\to0:\quad k_1\to0,\ k_2\to\infty",
         "The coefficient of restitution of an impact (constant p > 0, λ_N the only force, y = z = 0 at its start) "
         "tends to 0 as k_1 → 0 and k_2 → ∞, however the two are related, with c fixed",
-        Q3.carries(
+        BOTH.carries(
             Rung.EXACT.check(
                 "Theorem Q3: e is at most ζ + (1 + ρ) sqrt(ρ)/ζ, with ζ = c sqrt(p/k_2), sqrt(ρ)/ζ = sqrt(k_1/p)/c",
                 bound_vanishes(),
@@ -290,7 +301,7 @@ def _not_fixed() -> Entry:
         Rung.BALLS.check(
             "e for both p, by the exact motion", they_differ(), f"{ball_text(first, 4)}, {ball_text(second, 4)}"
         ),
-        Page("restitution", (*Q2.steps, creeps)).carries(
+        BOTH.carries(
             Rung.EXACT.check("Theorem Q3 for the smaller p, Theorem Q2 for the larger one", the_bounds_differ())
         ),
         note="p = C - μB depends on the mechanism, on its configuration and on the direction of slip.",

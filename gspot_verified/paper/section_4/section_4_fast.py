@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from flint import fmpq_mpoly
 
-from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
+from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of, same_sign
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts, rising_signs
 from gspot_verified.paper.section_4.section_4_outer import ALGEBRA, along, field
 from gspot_verified.paper.section_4.section_4_outer import PRINTED as OUTER
@@ -114,12 +114,13 @@ def sums_of_two_roots(zero: fmpq_mpoly, one: fmpq_mpoly, two: fmpq_mpoly) -> fmp
 
 def _stable() -> Entry:
     zero, one, two, three = _cubic_coefficients()
-    hurwitz = [three, two, two * one - three * zero, zero]
+    hurwitz = [two, two * one - three * zero, zero]
     sums = sums_of_two_roots(zero, one, two)
     all_sums = [ALGEBRA.coefficient_of(sums, "lam", k) for k in range(4)]
 
-    def all_positive(values: list[fmpq_mpoly]) -> bool:
-        return all(_sign("4-stable", value) == 1 for value in values)
+    def all_positive(values: list[fmpq_mpoly]) -> bool | None:
+        # With a negative one of either list there is a root with a real part >= 0.
+        return all_of(same_sign(_sign("4-stable", value), 1) for value in values)
 
     return SECTION.settled(
         "4-stable",
@@ -129,12 +130,12 @@ def _stable() -> Entry:
         "t/ε, have negative real parts",
         Rung.EXACT.check(
             "Routh-Hurwitz: 1, 2, 2 p - p and p are polynomials in p with positive coefficients only",
-            (_is_the_factor() and all_positive(hurwitz)) or None,
+            all_positive(hurwitz) if _is_the_factor() and all_positive([three]) else None,
         ),
         Rung.EXACT.check(
             "no real root is >= 0 (all coefficients positive), and twice the real part of a pair is a real root of the "
             "polynomial of the sums of two roots, λ³ + 4 λ² + (4 + p) λ + p, which has none >= 0 either",
-            (_is_the_factor() and three.is_one() and all_positive([zero, one, two, *all_sums])) or None,
+            all_positive([zero, one, two, *all_sums]) if _is_the_factor() and three.is_one() else None,
         ),
     )
 
@@ -224,9 +225,10 @@ def _roots() -> Entry:
 
 def _saddle() -> Entry:
     zero, _, two, three = _cubic_coefficients()
-    real = _sign("4-saddle", ALGEBRA.read(CUBIC).discriminant("lam")) == 1
-    # Product of the roots -zero > 0: one or three positive roots; their sum -two < 0 leaves one.
-    one_positive = three.is_one() and _sign("4-saddle", zero) == -1 and _sign("4-saddle", two) == 1
+    real = same_sign(_sign("4-saddle", ALGEBRA.read(CUBIC).discriminant("lam")), 1)
+    # Product of the roots -zero > 0: one or three positive roots, else none or two; their sum -two < 0 leaves one.
+    one_positive = all_of([same_sign(_sign("4-saddle", zero), -1), _sign("4-saddle", two) == 1 or None])
+    found = roots_for_negative_p()
     return SECTION.settled(
         "4-saddle",
         "lines 1107 to 1113",
@@ -235,11 +237,11 @@ def _saddle() -> Entry:
         "t/ε, are real and exactly one is positive",
         Rung.EXACT.check(
             "discriminant, sum and product of the roots, for every p < 0",
-            (_is_the_factor() and real and one_positive) or None,
+            all_of([real, one_positive]) if _is_the_factor() and three.is_one() else None,
         ),
         Rung.EXACT.check(
             "Sturm's theorem with p as a symbol: two roots below 0, one above",
-            (_is_the_factor() and roots_for_negative_p() == (2, 1)) or None,
+            found == (2, 1) if _is_the_factor() and found is not None else None,
         ),
     )
 

@@ -6,23 +6,43 @@ import pytest
 from flint import fmpq
 from flint.utils.flint_exceptions import DomainError
 
+from gspot_verified import Outcome
 from gspot_verified.paper.section_2 import section_2_restitution as ledger
 
 
 @pytest.mark.parametrize(
     ("powers", "answer"),
     [
-        ({}, None),
-        ({"k_1": -1}, None),
+        ({}, False),  # e is one number below 1
+        ({"k_1": -1}, False),  # ζ is fixed: at most ζ in the limit
+        ({"k_1": -3, "c": -1}, False),
         ({"k_2": 1}, None),
         ({"k_1": -1, "c": -1}, None),
         ({"k_1": 1, "k_2": 1}, True),
-        ({"k_1": 1, "k_2": 1, "c": fmpq(1, 2)}, None),
+        ({"k_1": -2, "c": -1}, None),  # ζ → 0, ρ/ζ² fixed
+        ({"k_1": 1, "k_2": 1, "c": fmpq(1, 2)}, False),
         ({"k_1": -1, "c": 1}, True),
     ],
 )
 def test_where_a_bound_of_the_loss_tends_to_0(powers: dict[str, int], answer: bool | None) -> None:
     assert ledger.loss_vanishes({name: fmpq(power) for name, power in powers.items()}) is answer
+
+
+@pytest.mark.parametrize("power", [-2, 0])
+def test_a_limit_that_is_not_elastic_is_refuted(monkeypatch: pytest.MonkeyPatch, power: int) -> None:
+    monkeypatch.setitem(ledger.ELASTIC, "k_1 → ∞", {"k_1": fmpq(power)})
+    assert ledger.ENTRIES["2-restitution-elastic"]().verdict.outcome is Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("powers", "answer"), [((-1, 1), True), ((1, 1), False), ((-1, -1), False), ((0, 1), None), ((-1, 0), None)]
+)
+def test_where_the_coefficient_tends_to_0(
+    monkeypatch: pytest.MonkeyPatch, powers: tuple[int, int], answer: bool | None
+) -> None:
+    """With k_1 = k_2 = n, or 1/n, it tends to 1."""
+    monkeypatch.setattr(ledger, "INELASTIC", dict(zip(("k_1", "k_2"), powers, strict=True)))
+    assert ledger.bound_vanishes() is answer
 
 
 @pytest.mark.parametrize("height", [fmpq(3, 5), fmpq(8, 11), fmpq(19, 25), fmpq(1)])

@@ -17,7 +17,7 @@ def outcome(identifier: str) -> Outcome:
 @pytest.mark.parametrize(
     ("cubic", "saddle"),
     [
-        ("lam^3 + 2*lam^2 + p*lam + 3*p", None),  # 2 p - 3 p < 0
+        ("lam^3 + 2*lam^2 + p*lam + 3*p", None),  # 2 p - 3 p < 0: unstable for p > 0
         ("lam^3 + 2*lam^2 - p*lam + p", Outcome.UNDECIDED),
         ("lam^3 + 2*lam^2 + p*lam - p", Outcome.UNDECIDED),
         ("lam^3 - 2*lam^2 + p*lam + p", Outcome.UNDECIDED),
@@ -26,7 +26,7 @@ def outcome(identifier: str) -> Outcome:
 def test_other_cubics_have_other_roots(monkeypatch: pytest.MonkeyPatch, cubic: str, saddle: Outcome | None) -> None:
     monkeypatch.setattr(ledger, "CUBIC", cubic)
     monkeypatch.setattr(ledger, "_is_the_factor", lambda: True)
-    assert outcome("4-stable") is Outcome.UNDECIDED
+    assert outcome("4-stable") is Outcome.REFUTED
     if saddle is not None:
         assert outcome("4-saddle") is saddle
 
@@ -42,7 +42,16 @@ def test_the_cubic_must_be_the_factor_of_the_characteristic_polynomial(
 def test_three_negative_roots_are_no_saddle(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ledger, "CUBIC", "lam^3 + 6*lam^2 + 11*lam + 6")  # -1, -2, -3
     monkeypatch.setattr(ledger, "_is_the_factor", lambda: True)
-    assert [check.agrees for check in ledger.ENTRIES["4-saddle"]().checks] == [None, None]
+    assert [check.agrees for check in ledger.ENTRIES["4-saddle"]().checks] == [False, False]
+
+
+def test_the_sign_of_the_whole_cubic_decides_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The roots of -f are those of f; a negative coefficient of λ² leaves one or three positive roots."""
+    monkeypatch.setattr(ledger, "_is_the_factor", lambda: True)
+    monkeypatch.setattr(ledger, "CUBIC", "-lam^3 - 6*lam^2 - 11*lam - 6")
+    assert [check.agrees for check in ledger.ENTRIES["4-stable"]().checks] == [None, None]
+    monkeypatch.setattr(ledger, "CUBIC", "lam^3 - 2*lam^2 - lam + p*2")
+    assert ledger.ENTRIES["4-saddle"]().checks[0].agrees is not True
 
 
 @pytest.mark.parametrize("p", [-7, -1, 2, 5])
