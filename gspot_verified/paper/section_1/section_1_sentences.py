@@ -52,6 +52,8 @@ BOUND = "k*(1 + r)*m"
 """The value of p u at the start, k = μA - B, that divides lift-off in slip from lift-off in stick."""
 SLOPE = {"v": "p", "u": "B - mu*A"}
 """The claimed slope dv/du of an impact in positive slip, as a quotient."""
+NEAR_THE_G_SPOT = ({"p": "-x"}, {"p": "0*x"}, {"p": "x", "k": "A*x + m"})
+"""p <= 0, and p > 0 with A p < k, where k = A C - B² > 0 (1-mass-matrix)."""
 
 
 def is_the_power_of_the_springs(power: int) -> bool | None:
@@ -175,11 +177,47 @@ def slope_by_impulses() -> bool | None:
     return (change["v"] * parts["u"] - change["u"] * parts["v"]).is_zero()
 
 
-def factor_is_not_zero() -> bool | None:
-    """Whether B times the factor is -(A C - B²) + A p: negative for p <= 0, as B > 0 there, and so near p = 0."""
-    factor = ALGEBRA.read(SLOPE["u"]) * _SYMBOLS["B"]
-    known = ALGEBRA.substitute(ALGEBRA.read("-(A*C - B^2) + A*p"), {"p": ALGEBRA.read("C - mu*B")})
-    return (factor - known).is_zero()
+def signs_near_the_g_spot() -> bool | None:
+    """Whether AμB = k + B² - A p and -B (B - μA) = k - A p are positive there: so B > 0, and B - μA < 0."""
+    answers = []
+    for near in NEAR_THE_G_SPOT:
+        images = {name: ALGEBRA.read(text) for name, text in near.items()}
+        answers += [
+            rising_signs(ALGEBRA.substitute(ALGEBRA.read(text), images)) for text in ("k + B^2 - A*p", "k - A*p")
+        ]
+    return all(answers)
+
+
+def factor_is_negative() -> bool | None:
+    """Whether these are AμB and -B times the factor for k = AC - B² and p = C - μB, and have the signs."""
+    parameters = {"k": ALGEBRA.read("A*C - B^2"), "p": ALGEBRA.read("C - mu*B")}
+    first, second = (ALGEBRA.substitute(ALGEBRA.read(text), parameters) for text in ("k + B^2 - A*p", "k - A*p"))
+    is_first = (ALGEBRA.read("A*mu*B") - first).is_zero()
+    is_second = (ALGEBRA.read(SLOPE["u"]) * _SYMBOLS["B"] + second).is_zero()
+    return is_first and is_second and signs_near_the_g_spot()
+
+
+def factor_is_negative_by_impulses() -> bool | None:
+    """The same from impulses with P = A: v rises by k where T = -B keeps u, and by A p in slip, with T = -μA.
+
+    In slip u changes by A times the factor, and v rises by B times the factor more than in stick.
+    """
+    (kept, rise), (change, climb) = (
+        [
+            ALGEBRA.substitute(ALGEBRA.read(section_1_negative_p.STICK[name]), {"P": _SYMBOLS["A"], "T": friction})
+            for name in "uv"
+        ]
+        for friction in (-_SYMBOLS["B"], -_SYMBOLS["mu"] * _SYMBOLS["A"])
+    )
+    factor = ALGEBRA.read(SLOPE["u"])
+    left = (
+        kept,
+        rise - ALGEBRA.read("A*C - B^2"),
+        climb - ALGEBRA.read("A*(C - mu*B)"),
+        change - _SYMBOLS["A"] * factor,
+        climb - rise - _SYMBOLS["B"] * factor,
+    )
+    return all(value.is_zero() for value in left) and signs_near_the_g_spot()
 
 
 def _slope() -> Entry:
@@ -188,12 +226,12 @@ def _slope() -> Entry:
         "lines 210 to 214 and 320 to 322",
         r"\frac{dv}{du}=\frac{p}{B-\mu A}",
         "Rigid impact, forces other than those of contact left out: in positive slip dv/du = p/(B - μA), where A, B, "
-        "C, μ depend on the configuration alone and so are constant in the impact: a straight line whose slope is "
-        "proportional to p; B - μA is negative for p <= 0 and for small p > 0",
-        Rung.EXACT.check("dv/dP over du/dP, P the normal impulse", all_of([slope_by_rates(), factor_is_not_zero()])),
+        "C, μ depend on the configuration and time alone and so are constant in the impact: a straight line whose "
+        "slope is proportional to p; B - μA is negative for p <= 0 and for small p > 0, where A p < AC - B²",
+        Rung.EXACT.check("dv/dP over du/dP, P the normal impulse", all_of([slope_by_rates(), factor_is_negative()])),
         Rung.EXACT.check(
             "the changes of v and u by a normal impulse with the tangential one at the bound of friction",
-            all_of([slope_by_impulses(), factor_is_not_zero()]),
+            all_of([slope_by_impulses(), factor_is_negative_by_impulses()]),
         ),
         note="In stick u = 0: the line is vertical, and the corner is where slip ends. Near the G-spot p is small, "
         "and so is the change of v along the line.",

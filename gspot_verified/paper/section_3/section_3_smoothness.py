@@ -46,6 +46,7 @@ def grows(beta: fmpq, order: int) -> bool | None:
 
 def _smoothness(beta: fmpq) -> Entry:
     orders = range(DIVERGES[beta] + 1)
+    lower = "; the derivatives of lower order tend to 0" if DIVERGES[beta] else ""
     word = ("y itself", "the first derivative of y", "the second derivative of y")[DIVERGES[beta]]
     lines = {0: "lines 799 to 800", 1: "lines 801 to 802", 2: "lines 802 to 803"}[DIVERGES[beta]]
     # For β < 1 the run of ν = 1 is none of the trivial solution: b(0) < 0, and (1 + ν)|λ̄| in the place of (ν - 1)λ̄.
@@ -60,7 +61,7 @@ def _smoothness(beta: fmpq) -> Entry:
         lines,
         rf"\beta={float(beta.p) / float(beta.q)}:\ \text{{{word} appears to diverge}}",
         f"β = {beta}, runs of fig. varsim1{other}, in the scale ε² of y: at the G-spot {word} has size "
-        f"ε^(-1/3), and diverges as ε → 0; the derivatives of lower order tend to 0 (the trivial solution taken off)",
+        f"ε^(-1/3), and diverges as ε → 0{lower} (the trivial solution taken off)",
         Rung.BALLS.check(
             f"proofs/scaling_exponents.md, Theorem E3: the exponent of each derivative over ε², every ε <= {LARGEST}",
             all_of(

@@ -20,6 +20,7 @@ from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.numerics.paper_runs import START, fate_by_side, margin_up_to
+from gspot_verified.paper.section_3 import section_3
 
 ALGEBRA = Algebra("p epsilon y z lam")
 _SYMBOLS = ALGEBRA.symbols
@@ -44,9 +45,6 @@ DRAWN = {
     TRIVIAL: "it is the trivial solution, and λ_N is constant for ever",
 }
 
-_BY_SIDES = "names the fate of each run but ν = 1 by its side of the trivial solution"
-NAMED = {"a": "names this fate for all runs of the panel", "b": _BY_SIDES, "c": _BY_SIDES}
-"""How the text says what a run does."""
 BELOW = "; z begins below 0 and falls where it is 0 (modelsys5), y = z - ε² λ_N"
 BY_AN_INTEGRAL = "while λ_N > 0 e^(t/ε) z falls from below 0 (modelsys5), and y = z - ε² λ_N; "
 AT_POINTS = {
@@ -127,6 +125,26 @@ def with_the_depth(beta: fmpq, nu: fmpq, drawn: bool | None, below: Callable[[fm
     return all_of([drawn, below(beta, nu)]) if FATES[beta][nu] == IMPACT else drawn
 
 
+def printed_fate(beta: fmpq, nu: fmpq) -> str:
+    """The fate that lines 766 to 785 name: in panels (b) and (c) by the side of b(0), of which a larger ν has less."""
+    if beta not in section_3.IMPACT["printed"]:
+        return IMPACT
+    side = (nu < 1) - (nu > 1)
+    return TRIVIAL if side == 0 else IMPACT if side == section_3.IMPACT["printed"][beta] else LIFT_OFF
+
+
+def how_named(beta: fmpq, nu: fmpq) -> str:
+    """How the text says what a run does."""
+    by_side = beta in section_3.IMPACT["printed"]
+    if printed_fate(beta, nu) != FATES[beta][nu]:
+        return "names the other fate for this run, by its side of b(0) (3-sides, where the sides are corrected)"
+    if by_side and nu == 1:
+        return "has the trivial solution between the two fates"
+    return (
+        "names this fate for this run, by its side of b(0)" if by_side else "names this fate for all runs of the panel"
+    )
+
+
 def are_drawn(beta: fmpq, nu: fmpq, found: Sequence[str | None]) -> bool | None:
     """Whether these fates are that of the figure."""
     return all_of(None if fate is None else fate == FATES[beta][nu] for fate in found)
@@ -154,7 +172,7 @@ def _entry(beta: fmpq, nu: fmpq, every: str, proof: Check) -> Entry:
             "; ".join(FOUND[fate] for fate in tried),
         ),
         note=f"About the compliant model (modelsys1 to modelsys5) from these initial values, not the leading order. "
-        f"The text {NAMED[PANELS[beta]]}.",
+        f"The text {how_named(beta, nu)}.",
     )
 
 

@@ -273,9 +273,9 @@ def _step_4() -> Entry:
         "5-initial-values",
         "lines 1727 to 1740",
         r"[\mathcal P_\xi,\ldots,\mathcal J_\xi]\,\xi_n(0)=r_{\xi_0,n}",
-        "In the terms of order δ^(n+2) of the conditions at s = 0, for every n, ξ_n(0) stands once, linearly, with the "
-        "Jacobian; all others are (i) constants times products of ξ_k(0) with k < n, or (ii) p_n(0), b_n(0), "
-        "y_(n-4)(0), v_(n-2)(0)",
+        "For P, B, Y, V and J in C^(n+2): in the terms of order δ^(n+2) of the conditions at s = 0, for every n, "
+        "ξ_n(0) stands once, linearly, with the Jacobian; all others are (i) constants times products of ξ_k(0) with "
+        "k < n, or (ii) p_n(0), b_n(0), y_(n-4)(0), v_(n-2)(0)",
         Page("expansion", (dependence, scaling_is_that_of_xi)).carries(
             this.check(
                 "sections 1 and 2: ∂f_(n+2)/∂ξ_k = (f_ξ)_(n-k), which is f_ξ(ξ*) at k = n and 0 beyond; the powers of "

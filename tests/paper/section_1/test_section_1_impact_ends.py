@@ -54,3 +54,35 @@ def test_another_share_of_the_impulse_has_another_work(monkeypatch: pytest.Monke
     honest = ledger.twice_the_work
     monkeypatch.setattr(ledger, "twice_the_work", lambda impulse: honest(impulse.replace("(1 + r)", "(1 + 2*r)")))
     assert ledger.works_have_the_same_bound() is False
+
+
+@pytest.mark.parametrize(
+    ("near", "answer"),
+    [
+        ({"p": "-x", "k": "m"}, True),
+        ({"p": "x", "k": "A*x + B^2"}, True),
+        ({"p": "x"}, False),
+        ({"p": "x", "k": "A*x"}, False),
+        ({"p": "x", "k": "A*x - m"}, False),
+    ],
+)
+def test_the_sign_of_the_change_of_slip(monkeypatch: pytest.MonkeyPatch, near: dict[str, str], answer: bool) -> None:
+    """B - μA < 0 for p <= 0, and for p > 0 where A p < k = AC - B²."""
+    assert ledger.factor_is_negative()
+    assert ledger.factor_is_negative_by_impulses()
+    assert MU * A > B
+    monkeypatch.setattr(ledger, "NEAR_THE_G_SPOT", (near,))
+    assert [ledger.factor_is_negative(), ledger.factor_is_negative_by_impulses()] == [answer, answer]
+
+
+@pytest.mark.parametrize("wrong", ["B - mu*C", "mu*A - B", "B - 2*mu*A"])
+def test_the_sign_is_that_of_the_claimed_factor(monkeypatch: pytest.MonkeyPatch, wrong: str) -> None:
+    monkeypatch.setitem(ledger.SLOPE, "u", wrong)
+    assert not ledger.factor_is_negative()
+    assert not ledger.factor_is_negative_by_impulses()
+
+
+@pytest.mark.parametrize(("name", "wrong"), [("u", "A*T + 2*B*P"), ("v", "C*P + 2*B*T"), ("v", "2*C*P + B*T")])
+def test_the_sign_is_that_of_these_impulses(monkeypatch: pytest.MonkeyPatch, name: str, wrong: str) -> None:
+    monkeypatch.setitem(ledger.section_1_negative_p.STICK, name, wrong)
+    assert not ledger.factor_is_negative_by_impulses()

@@ -82,6 +82,7 @@ def test_each_sentence_has_its_lines_its_words_and_its_numbers(monkeypatch: pyte
     for order, entry in enumerate(build() for build in ledger.ENTRIES.values()):
         assert entry.label == lines[order]
         assert f"at the G-spot {words[order]} has size ε^(-1/3)" in entry.statement
+        assert ("the derivatives of lower order" in entry.statement) is (order > 0)  # of y itself there are none
         balls, points = entry.checks
         assert balls.what.endswith("every ε <= 1/2500")
         assert points.what == "certified values at ε = 10^-3 and 10^-5, ν = 2"

@@ -46,7 +46,28 @@ def test_a_time_near_two_in_the_scaled_one(power: int, time: fmpq) -> None:
     assert varsim1._some_time(fmpq(1, 10**power)) == time
 
 
-def test_the_fates_that_the_text_names() -> None:
+@pytest.mark.parametrize("beta", varsim1.PANELS)
+def test_each_note_says_which_fate_the_text_names(beta: fmpq) -> None:
+    """Lines 783 to 785: the lower b(0) take an impact in panel (b), the higher ones in (c); b(0) falls with ν."""
+    for nu in varsim1.FACTORS:
+        lower = varsim1.initial_state(beta, nu, fmpq(1))[1].b < varsim1.initial_state(beta, fmpq(1), fmpq(1))[1].b
+        named = {"a": "impact", "b": "impact" if lower else "lift-off", "c": "lift-off" if lower else "impact"}
+        if varsim1.PANELS[beta] != "a" and nu == 1:
+            named = dict.fromkeys("bc", "trivial")
+        assert varsim1.printed_fate(beta, nu) == named[varsim1.PANELS[beta]]
+        other = named[varsim1.PANELS[beta]] != varsim1.FATES[beta][nu]
+        assert other is (varsim1.PANELS[beta] != "a" and nu != 1)
+        assert ("names the other fate for this run" in varsim1.how_named(beta, nu)) is other
+
+
+def test_the_note_of_a_run_whose_fate_is_as_printed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(varsim1.section_3.IMPACT, "printed", varsim1.section_3.IMPACT["corrected"])
+    assert varsim1.how_named(fmpq(3, 2), fmpq(2)) == "names this fate for this run, by its side of b(0)"
+    assert varsim1.how_named(fmpq(3, 2), fmpq(1)) == "has the trivial solution between the two fates"
+    assert varsim1.how_named(fmpq(1, 2), fmpq(1)) == "names this fate for all runs of the panel"
+
+
+def test_the_fates_of_the_figure() -> None:
     """Panel (a): all impacts; (b): above b(0) of the trivial solution; (c): below it."""
     assert [list(row.values()) for row in varsim1.FATES.values()] == [
         ["impact"] * 5,

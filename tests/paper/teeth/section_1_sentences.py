@@ -55,6 +55,8 @@ TEETH: Teeth = {
         Bite("hidden factor", ledger.SLOPE, "v", unseen_at("p", (-1, 1))),
         Bite("hypothesis", section_1_negative_p.RATES, "v", lambda _: "C + mu*B"),
         Bite("hypothesis", section_1_negative_p.STICK, "u", replaced("B*P", "C*P")),
+        # For a p > 0 without a bound B - μA may be positive.
+        Bite("hypothesis", ledger, "NEAR_THE_G_SPOT", lambda honest: (*honest[:-1], {"p": "x"})),
         Bite("order", ledger.SLOPE, "v", replaced("p", "p^2")),
     ),
     "1-impact-ends": (
