@@ -15,6 +15,7 @@ from gspot_verified.paper.checks.closed_forms import ClosedForm
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, put
 from gspot_verified.paper.checks.identities import in_greek
+from gspot_verified.paper.checks.page import joined
 from gspot_verified.theta_function.gamma.initial_values import initial_values
 from gspot_verified.theta_function.value.asymptotic_coefficients import coefficient, coefficient_by_inversion
 from gspot_verified.theta_function.value.routes import theta_by
@@ -185,7 +186,7 @@ def _leading_behaviour() -> Entry:
         "eq:hdef, line 2459",
         r"\Theta(\tau,\beta)\sim 3^{1-\beta/3}\Gamma(1+\beta)h(\tau,\beta)\sim(-\tau)^\beta",
         "As τ → −∞ Θ is asymptotic to 3^(1-β/3) Γ(1+β) h and to (-τ)^β, for every β that is not -1, -2, ...",
-        asymptotics.joined(
+        joined(
             NEGATIVE.carries(
                 claim.check(
                     "the rest after N terms is at most the next term, once 3N > β; every term of "

@@ -24,6 +24,7 @@ from gspot_verified.paper.checks.closed_forms import ALGEBRA, ClosedForm
 from gspot_verified.paper.checks.entry import Check, Entry, Rung, Section, all_of
 from gspot_verified.paper.checks.formulas import Forms, FormulaClaim, closed_form, mended, put, quotient
 from gspot_verified.paper.checks.identities import in_greek
+from gspot_verified.paper.checks.page import joined
 
 SECTION = Section("Appendix A")
 EXCEPTIONS: dict[str, str] = {"0": "3*m", "1": "1+3*m", "2": "2+3*m"}
@@ -57,12 +58,6 @@ def every_coefficient(series: str) -> Check:
             ],
         )
     )
-
-
-def joined(*checks: Check) -> Check:
-    """Checks on pages that carry a formula together: a part that does not read all of it cannot agree by itself."""
-    finding = next((check.finding for check in checks if check.agrees is False), "")
-    return Rung.PAGE.check("; ".join(check.what for check in checks), all_of(c.agrees for c in checks), finding)
 
 
 def small(j: int, betas: Sequence[fmpq]) -> Entry:

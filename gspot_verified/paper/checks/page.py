@@ -1,6 +1,6 @@
 """Proof pages: prose in proofs/, with the steps that a claim rests on as functions.
 
-A check on this rung holds when every step of the page does. No check on it is made in another way.
+A check on this rung holds when every step of the page does. No check on it is made in another way, but of such checks.
 """
 
 from __future__ import annotations
@@ -59,3 +59,14 @@ class Page:
     def _open(self) -> str:
         names = [getattr(step, "__name__", str(step)) for step in self.steps if step() is not True]
         return "steps that do not hold: " + ", ".join(name.replace("_", " ") for name in names)
+
+
+def joined(*checks: Check) -> Check:
+    """Checks on pages that carry a formula together: a part that does not read all of it cannot agree by itself.
+
+    :raises ValueError: one of them is on another rung.
+    """
+    if any(check.rung is not Rung.PAGE for check in checks):
+        raise ValueError("checks that are joined are checks on pages")
+    finding = next((check.finding for check in checks if check.agrees is False), "")
+    return Rung.PAGE.check("; ".join(check.what for check in checks), all_of(c.agrees for c in checks), finding)

@@ -12,7 +12,6 @@ from flint import fmpq_mpoly
 
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section
 from gspot_verified.paper.checks.identities import Algebra, Claim, Parts
-from gspot_verified.paper.section_1 import section_1_rigid
 
 ALGEBRA = Algebra("p b r v y alpha1 alpha2 alpha3 LFp LGp LFb LGb LFy LGy LFv LGv c s w g k mu W Y U X F T N lamT B C")
 PRINTED = {"p": "alpha1", "b": "alpha2 - alpha3*r", "y": "v", "v": "b + p*r"}
@@ -24,6 +23,8 @@ SYSTEM = {"rate": "F + T*lamT + N*r", "in slip": "F + (N - mu*T)*r"}
 """Eqs. genTN and genx with G = G_N - μ G_T; T is G_T, N is G_N."""
 COULOMB = {"lamT": "-mu*r"}
 """In positive slip."""
+PARAMETER = "C - mu*B"
+"""p of Sec. 1, line 170."""
 ALONG = {"F": "0*F", "T": "B", "N": "C"}
 """What G_T and G_N do to v: B and C."""
 
@@ -271,7 +272,7 @@ def slip_field() -> list[fmpq_mpoly]:
     parameter = ALGEBRA.substitute(slip.derivative("r"), {name: ALGEBRA.read(text) for name, text in ALONG.items()})
     return [
         ALGEBRA.substitute(general, images) - slip,
-        parameter - ALGEBRA.read(section_1_rigid.PRINTED["1-force"]["p"]),
+        parameter - ALGEBRA.read(PARAMETER),
     ]
 
 

@@ -217,10 +217,11 @@ def _run(scene: Scene, conditions: Conditions, samples: SegmentSamples | None, s
         if record.stopped is not None:
             record.ended = every([phase_end.evidence, record.ended])
             return record
-        # The phase was followed for (end - began).upper(): an event after ``end`` is none of this run.
+        # The phase was followed for each time of the ball end - began: an event after ``end`` is none of this run.
         after = less(end, start[CLOCK])
         if phase_end.event is None:
-            # The states at ``end`` are among these, but no step certainly ends by then: no observer has asked there.
+            # These are the states for each time of that ball, those at ``end`` among them. No step certainly ends by
+            # then: no observer has asked there.
             if record.violated is None:
                 record.violated = _failed(conditions, phases, now.phase, start, phase_end.evidence)
             record.ended = phase_end.evidence

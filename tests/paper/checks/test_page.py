@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from gspot_verified.paper.checks.entry import Check, Entry, Rung
-from gspot_verified.paper.checks.page import Page
+from gspot_verified.paper.checks.page import Page, joined
 
 ROOT = Path(__file__).resolve().parents[3]
 LEDGER = ROOT / "gspot_verified" / "paper"
@@ -87,3 +87,11 @@ def test_every_check_on_the_rung_of_a_page_names_a_page_that_is_there(whole_ledg
         path, separator, _ = what.partition(": ")
         assert separator
         assert (ROOT / path).is_file(), what
+
+
+def test_checks_are_joined_on_one_rung_alone() -> None:
+    true, false = (Check(Rung.PAGE, f"proofs/negative.md: {word}", word == "yes", word) for word in ("yes", "no"))
+    assert joined(true, true).agrees is True
+    assert (joined(true, false).agrees, joined(true, false).finding) == (False, "no")
+    with pytest.raises(ValueError, match="checks on pages"):
+        joined(true, Check(Rung.POINTS, "some points", True))
