@@ -24,6 +24,7 @@ from gspot_verified.mechanisms.sweep.sweep_fold import (
     Fold,
     _as_far_as_both,
     _on_curve,
+    _other_end,
     _widened,
     fold_next_to,
     turned,
@@ -261,6 +262,26 @@ def test_the_reach_is_that_of_both(bounds: tuple[int, int], opens: int, other: a
         assert found is not None
         assert abs(found.reach - reach) < fmpq(1, 1000)
         assert found.reach * opens <= reach * opens
+
+
+def test_the_other_end_is_across_the_fold_and_on_the_curve(monkeypatch: pytest.MonkeyPatch) -> None:
+    """k = q^2 on [-1/8, 1/8]: entered at q = 1/10 the other end is q = -1/8, and entered at -1/10 it is 1/8."""
+    curve = turned(parametric_system(family("q^2 - k", "1"), ["k"], ["x", "u"]), 4)
+    start = Origin((fmpq(0),), tuple(fmpq(int(i == 1)) for i in range(12)), (*[(fmpq(0),)] * 11, (fmpq(2),)))
+    fold = (fmpq(-1, 1000), fmpq(1, 1000))
+    with working_bits(80):
+        on = proved_tube(curve, (fmpq(-1, 8),), (fmpq(1, 8),), start)
+        assert on is not None
+        for q, slope in ((arb("0.1"), fmpq(-1, 4)), (arb("-0.1"), fmpq(1, 4))):
+            end = _other_end(curve, on, q, fold)
+            assert end is not None
+            assert abs(end[5] - fmpq(1, 64)) < 1e-12
+            assert abs(end[11] - slope) < 1e-12
+        for q in (arb(0), arb(0, "0.01"), arb("0.1", "0.2"), arb("nan")):
+            assert _other_end(curve, on, q, fold) is None
+        away = replace(on, tube=replace(on.tube, centre=tuple(value + 1 for value in on.tube.centre)))
+        monkeypatch.setattr(sweep_fold, "proved_tube", lambda *_: away)
+        assert _other_end(curve, on, arb("0.1"), fold) is None
 
 
 @pytest.mark.parametrize("size", [0.0, 1.0])
