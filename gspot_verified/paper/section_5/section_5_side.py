@@ -139,7 +139,7 @@ def _rule() -> Entry:
         "For every mechanism of Case III with analytic functions, p, b, y, v independent at its G-spot, k_1, k_2, c >"
         " 0, β > 1 not an integer, and every rigid slip motion into the G-spot with C_1 not 0, slip being positive "
         "there too: compliant starts that tend to a state of it, the contact not far from rest, keep contact and slip"
-        " until p < 0 for every ε up to some ε_0 > 0, and then lose contact for C_1/Γ(-β) < 0; for C_1/Γ(-β) > 0 λ_N "
+        " until p < 0 for every ε up to some ε_0 > 0, and then lose contact for C_1/Γ(-β) < 0; for C_1/Γ(-β) > 0, λ_N "
         "grows past any given force, on which ε_0 depends, and contact is not lost before",
         R.carries(
             Rung.EXACT.check(
@@ -172,7 +172,7 @@ def _side() -> Entry:
         r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
         f"The extended example in positive slip, χ = {COUPLING}, β = {BETA}, for every ε <= {LARGEST_DELTA**3} at "
         f"once: all states within {WITHIN} ε^({2 * (BETA - 1) / 3}) of the expansion of order {ORDER} and the slow "
-        f"deviation with C_1 at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1 λ_N grows "
+        f"deviation with C_1 at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1, λ_N grows "
         f"past {FORCE} times the mean force, with p < 0",
         Rung.BALLS.check(
             "proofs/uniform.md, Theorem U2: a tube around the expansion, then a cone",
