@@ -199,7 +199,7 @@ def rational(value: ExactInput, name: str) -> fmpq:
 
 def below_threshold(epsilon: fmpq, lower: arb) -> Evidence | None:
     """That epsilon is below every epsilon_0 whose logarithm is at least ``lower``; None where that is not certain."""
-    with working_bits(int(lower.bits()) + 64):
+    with working_bits(int(lower.bits()) + int(epsilon.height_bits()) + 64):  # epsilon may be as near as it has digits
         return less(arb(epsilon).log(), lower)
 
 

@@ -307,6 +307,17 @@ def test_json_of_what_is_there_and_what_is_not() -> None:
     assert (data["every_epsilon"], data["epsilon_0"], data["largest_epsilon"]) == (True, None, None)
 
 
+@pytest.mark.parametrize("digits", [40, 60, 100])
+def test_many_digits_are_proved(digits: int) -> None:
+    """The comparison of epsilon_0 with what bounds it has as many bits as its digits ask for."""
+    found = leading_order_iwc("3/2", digits=digits)
+    assert found.verdict.outcome is Outcome.PROVED
+    few = leading_order_iwc("3/2", digits=20).epsilon_0
+    assert found.epsilon_0 is not None
+    assert few is not None
+    assert 0 <= found.epsilon_0 - few < fmpq(1, 10**20)
+
+
 def test_the_most_digits() -> None:
     found = leading_order_iwc("5/2", digits=100)
     assert found.epsilon_0 is not None

@@ -22,6 +22,7 @@ _REASONS = {
     "ros2_control": "says how motors are driven: nothing of it is taken",
     "mimic": "makes one joint follow another: no coupled joints are taken",
 }
+_MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 _HINGES, _SLIDES = ("revolute", "continuous"), ("prismatic",)
 
 
@@ -112,6 +113,7 @@ class _Robot:
         end = joint.one(tag)
         if end is None:
             raise joint.refuse(f"the element {tag!r} is missing")
+        end.only_attributes(("link",))
         link = end.text("link")
         if link not in self._links:
             raise end.refuse(f"there is no link {link[:60]!r}")
@@ -157,6 +159,7 @@ class _Robot:
         origin = element.one("origin")
         if origin is None:
             return sympy.ImmutableMatrix([0, 0, 0]), sympy.ImmutableMatrix(sympy.eye(3))
+        origin.only_attributes(("xyz", "rpy"))  # URDF 1.1 has quat_xyzw
         words = origin.text("rpy", "0 0 0").split()
         angles = []
         for number, word in zip(origin.numbers("rpy", 3, "0 0 0"), words, strict=True):
@@ -177,6 +180,8 @@ class _Robot:
         if kind not in (*_HINGES, *_SLIDES):
             raise joint.refuse(f"type {kind[:40]!r}: joints are revolute, continuous, prismatic or fixed")
         axis_element = joint.one("axis")
+        if axis_element is not None:
+            axis_element.only_attributes(("xyz",))
         axis = sympy.ImmutableMatrix([1, 0, 0] if axis_element is None else axis_element.numbers("xyz", 3))
         if axis.is_zero_matrix:
             raise joint.refuse("the axis must not be 0")
@@ -207,10 +212,12 @@ class _Robot:
         mass, inertia = inertial.one("mass"), inertial.one("inertia")
         if mass is None or inertia is None:
             raise inertial.refuse("the elements 'mass' and 'inertia' are needed")
+        mass.only_attributes(("value",))
+        inertia.only_attributes(tuple(f"i{word}" for word in _MOMENTS))
         kilograms = mass.number("value")
         if kilograms < 0:
             raise mass.refuse("a mass must not be negative")
-        xx, yy, zz, xy, xz, yz = (inertia.number(f"i{word}") for word in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        xx, yy, zz, xy, xz, yz = (inertia.number(f"i{word}") for word in _MOMENTS)
         place, own = self._origin(inertial)
         axes = turn * own
         local = sympy.ImmutableMatrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
