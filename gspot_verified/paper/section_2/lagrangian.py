@@ -43,6 +43,8 @@ BELOW_ONE = {"x5": "1 - d"}
 """p < 1, by d > 0."""
 APART = {"kminus": "kplus + d"}
 """k⁺ < k⁻, by d > 0."""
+THIRD = "1 + 2*x5"
+"""2 (1 - p) (AC - B²)."""
 _UNDEFINED = "At ξ_5 = 1 the printed G_T is not defined."
 
 
@@ -66,6 +68,13 @@ def _lie(function: fmpq_mpoly, field: list[fmpq_mpoly]) -> fmpq_mpoly:
 def _slip_field(parts: Parts) -> list[fmpq_mpoly]:
     """2 (1 - x5) (G_N - mu G_T)."""
     return [_DENOMINATOR * n - parts["mu"] * h for n, h in zip(_field(parts, "N"), _field(parts, "H"), strict=True)]
+
+
+def _third(parts: Parts) -> fmpq_mpoly:
+    """2 (1 - x5) (A C - B²), A = L_{G_T} u, B = L_{G_N} u, C = L_{G_N} v."""
+    tangent, normal, drift = (_field(parts, letter) for letter in "HNF")
+    u, v = (_lie(parts[name], drift) for name in "xy")
+    return _lie(u, tangent) * _lie(v, normal) - _DENOMINATOR * _lie(u, normal) ** 2
 
 
 def _relations(parts: Parts) -> list[fmpq_mpoly]:
@@ -211,6 +220,7 @@ def _extended() -> Entry:
         friction = all(rising_signs(_under(value, BELOW_ONE)) for value in (parts["mu"], _DENOMINATOR))
         return [
             _zero_if(friction),
+            _third(parts) - ALGEBRA.read(THIRD),
             *(_DENOMINATOR * (f + n * force - m) - share * h * force for f, n, h, m in rows),
         ]
 
@@ -224,7 +234,9 @@ def _extended() -> Entry:
             rising_signs(-value.derivative("x5")) and ALGEBRA.substitute(value, {"x5": ALGEBRA.constant(1)}).is_zero()
             for value in (parts["mu"], _DENOMINATOR)
         )
-        found = [_zero_if(falls)]
+        u, v = (_lie(parts[name], _field(parts, "F")) for name in "xy")
+        third = flow.along(u, flow.tangent) * flow.along(v, flow.normal) - flow.along(u, flow.normal) ** 2
+        found = [_zero_if(falls), flow.equal(third * flow.number(_DENOMINATOR), ALGEBRA.read(THIRD))]
         for wanted, f, n, t in zip(model(parts), flow.drift, flow.normal, flow.tangent, strict=True):
             found.append(flow.equal(f + (n - mu * t) * forward + (n + mu * t) * backward, wanted))
         return found
@@ -234,7 +246,7 @@ def _extended() -> Entry:
         "lines 664 to 702, eq:newex6",
         r"\dot\xi=F+G_T\lambda_T+G_N\lambda_N",
         "For p < 1, where its μ = 1 - p is positive, the printed F, G_T, G_N, μ are the extended example in positive "
-        "slip, negative slip and stick",
+        "slip, negative slip and stick; their AC - B² is (1 + 2p)/(2 (1 - p)), which is positive for p > -1/2 alone",
         this.check("λ_T = -(2c - 1) μ λ_N for every c, as polynomials; μ and 2 (1 - p) at p = 1 - d, d > 0", general),
         this.check(
             "λ+ along G_N - μ G_T plus λ- along G_N + μ G_T for every c, as rational functions in all symbols; μ and "

@@ -262,6 +262,8 @@ def _coupling() -> Entry:
         ),
         corrected="χ couples b back to p. The tangential motion acts on the normal one by the sign of u alone (slip, "
         "stick, slip backwards), for χ = 0 too",
+        note="With p in the place of x and u the sentence is right: the rate of p has no variable for χ = 0, and b for "
+        "χ other than 0, and p stands in the rate of v for every χ.",
     )
 
 

@@ -96,24 +96,25 @@ def turns(boxes: Sequence[Box]) -> dict[str, tuple[bool | None, arb]]:
     return found
 
 
-def beyond_the_spot(boxes: Sequence[Box]) -> Sequence[Box]:
-    """The boxes from the first one on in which p < 0."""
-    return boxes[next((k for k, at in enumerate(boxes) if sign_of(at["p"]) == -1), len(boxes)) :]
+def from_the_spot(boxes: Sequence[Box]) -> Sequence[Box]:
+    """The boxes from the first one on in which p may be 0."""
+    return boxes[next((k for k, at in enumerate(boxes) if sign_of(at["p"]) != 1), len(boxes)) :]
 
 
 def as_claimed(boxes: Sequence[Box], lost: fmpq) -> bool | None:
     """Whether the boxes of slip show how the impact begins at the G-spot and how it ends."""
-    beyond = beyond_the_spot(boxes)
-    if not beyond:
+    later = from_the_spot(boxes)
+    beyond = next((k for k, at in enumerate(later) if sign_of(at["p"]) == -1), None)
+    if beyond is None:
         return None
     with working_bits(_BITS):
-        spot = [*(at for at in boxes[: -len(beyond)] if sign_of(at["p"]) is None), beyond[0]]
+        spot = later[: beyond + 1]
         answers = [certainly_less(arb(low), at[name]) for at in spot for name, (low, _) in AT_SPOT.items()]
         answers += [certainly_less(at[name], arb(high)) for at in spot for name, (_, high) in AT_SPOT.items()]
         below = {certainly_less(at["lambda_N"], arb(PEAK)) for at in boxes}
         answers.append(True if False in below else None if None in below else False)
         answers += [certainly_less(boxes[0]["u"] - lost, boxes[-1]["u"]), certainly_less(arb(0), boxes[-1]["u"])]
-        found = list(turns(beyond).values())
+        found = list(turns(later).values())
         answers += [answer for answer, _ in found]
         answers += [certainly_less(time, later) for (_, time), (_, later) in pairwise(found)]
         return all_of(answers)
@@ -148,7 +149,7 @@ def as_sampled(samples: Samples, lost: fmpq) -> bool:
 
 def floats_agree(nu: fmpq) -> bool | None:
     """Whether a float run lifts off alone, and has its extremes within FLOAT_NEAR of the certified turns."""
-    run, found = float_run(scene_of(nu), *_FLOATS), turns(beyond_the_spot(boxes_of(nu)))
+    run, found = float_run(scene_of(nu), *_FLOATS), turns(from_the_spot(boxes_of(nu)))
     if run.samples is None or not found:
         return None
     seen = extremes(run.samples)
@@ -161,7 +162,7 @@ def floats_agree(nu: fmpq) -> bool | None:
 def _told(nu: fmpq) -> str:
     boxes = boxes_of(nu)
     with working_bits(_BITS):
-        found = turns(beyond_the_spot(boxes)).items()
+        found = turns(from_the_spot(boxes)).items()
         times = ", ".join(f"{_WORDS[name]} {approximate(time):.5g}" for name, (_, time) in found)
         return (
             f"ν = {nu}: turns at t = {times}; lift-off with u = {', '.join(ball_text(at['u'], 8) for at in boxes[-1:])}"

@@ -41,6 +41,14 @@ def test_a_friction_that_is_not_that_of_the_statement(monkeypatch: pytest.Monkey
     assert lagrangian.ENTRIES["2-extended"]().verdict.outcome is not Outcome.PROVED
 
 
+@pytest.mark.parametrize(("name", "text"), [("H2", "5"), ("N4", "(2+x5)/2"), ("N2", "1/3")])
+def test_a_field_with_another_third_scalar(name: str, text: str) -> None:
+    """AC - B² is 2 (1 - p) times less than ``THIRD``."""
+    third = ALGEBRA.read(lagrangian.THIRD)
+    assert (lagrangian._third(parts()) - third).is_zero()
+    assert not (lagrangian._third(parts(**{name: text})) - third).is_zero()
+
+
 def test_where_the_printed_fields_are_defined() -> None:
     """At p = 1 G_T has the denominator 0, and beyond it μ < 0; the run of Figure 9 with χ = 1 gets there in flight."""
     at_1 = {"x5": ALGEBRA.constant(1)}
@@ -48,6 +56,9 @@ def test_where_the_printed_fields_are_defined() -> None:
     assert ALGEBRA.substitute(ALGEBRA.read(PRINTED["2-extended"]["mu"]), {"x5": ALGEBRA.constant(2)}) == -1
     entries = {name: build() for name, build in lagrangian.ENTRIES.items()}
     assert entries["2-extended"].statement.startswith("For p < 1, ")
+    third = ALGEBRA.read(lagrangian.THIRD)
+    for p, value in ((fmpq(-1), -1), (fmpq(-1, 2), 0), (fmpq(0), 1)):
+        assert ALGEBRA.substitute(third, {"x5": ALGEBRA.constant(p)}) == value
     for name in ("2-lagrangian", "2-quantities", "2-extended"):
         assert "At ξ_5 = 1 the printed G_T is not defined." in entries[name].note
     highest = max(float_run(scene_of(fmpq(1, 4))).samples.columns["p"])

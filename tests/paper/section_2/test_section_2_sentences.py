@@ -35,6 +35,14 @@ def test_what_enters(name: str, rates: str, answer: bool) -> None:
     assert ledger.enters(name, rates) is answer
 
 
+def test_p_and_b_are_coupled_both_ways_by_chi() -> None:
+    """As the note of 2-coupling says: without χ nothing acts on p, and p acts on v for every χ."""
+    assert ledger.rate_of_p_is_constant() is True
+    assert ledger.enters("b", "p") is True
+    assert ledger.enters("p", "v") is True
+    assert "b for χ other than 0, and p stands in the rate of v" in ledger.ENTRIES["2-coupling"]().note
+
+
 def test_without_chi_nothing_is_brought(monkeypatch: pytest.MonkeyPatch) -> None:
     assert ledger.chi_brings("b") is True
     monkeypatch.setitem(ledger.EXTENDED, "p", "alpha1")

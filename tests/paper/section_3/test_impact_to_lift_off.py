@@ -49,6 +49,9 @@ def test_a_motion_as_it_is_claimed() -> None:
         ({1: {"lambda_N": 150}}, False),
         ({1: {"lambda_N": -1}}, False),
         ({1: {"lambda_N": arb(130, 20)}}, None),
+        ({1: {"b": arb(-1, 1.5)}}, None),  # b at the G-spot
+        ({1: {"z": 1}}, False),  # the force falls at the G-spot
+        ({1: {"z": arb(0, 1)}}, None),
         ({place: {"lambda_N": 999} for place in (6, 7, 8)}, False),
         ({6: {"lambda_N": 999}, 7: {"lambda_N": arb(1000, 1)}, 8: {"lambda_N": 999}}, None),
         ({9: {"u": 44}}, False),
