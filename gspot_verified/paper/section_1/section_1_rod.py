@@ -99,6 +99,17 @@ def signs_of_case_ii() -> bool | None:
     )
 
 
+def are_independent() -> bool | None:
+    """Whether p, b, y, v have independent gradients where α_1 is not 0.
+
+    y has the height of the centre and v its rate, p and b have neither: their slopes in the angle and w decide.
+    p has no w, its slope in the angle is α_1/w, and that of b in w, S w, is not 0.
+    """
+    found, w = quantities(), _SYMBOLS["w"]
+    by_angle = turned(found["p"]) * w - found["alpha_1"]
+    return found["p"].derivative("w").is_zero() and by_angle.is_zero() and rising_signs(found["b"].derivative("w"))
+
+
 def others_are_in_no_case() -> bool | None:
     """Whether, for C, S > 0, p = 0 needs μ² >= LEAST, and all other places where b = 0 too are in no Case.
 
@@ -155,6 +166,7 @@ def _rod() -> Entry:
         "b and p": by_hand(),
         "the α's": alphas_at_the_spot(),
         "their signs": signs_of_case_ii(),
+        "independence": are_independent(),
         "one place": all_of([friction_is_that_of_p(), friction_rises()]),
         "the other places": others_are_in_no_case(),
     }
@@ -163,10 +175,11 @@ def _rod() -> Entry:
         "lines 305 to 306",
         r"\text{the classical falling rod problem is in Case II}",
         "The falling rod of Génot and Brogliato, length 1, in positive slip with its angle rising: for "
-        "every μ > 8/(3 sqrt 3) there is one place with cos² > 3/7 where p = b = 0, and it is in Case II",
+        "every μ > 8/(3 sqrt 3) there is one place with cos² > 3/7 where p = b = 0, it is in Case II, and p, b, y, v "
+        "are independent there",
         Rung.EXACT.check(
-            "b, p and the α's by the rod's geometry; their signs by positive symbols; μ at p = 0 rises with cos²; the "
-            "signs at the other places",
+            "b, p and the α's by the rod's geometry; their signs by positive symbols; the slopes of p and b in the "
+            "angle and its rate; μ at p = 0 rises with cos²; the signs at the other places",
             all_of(steps.values()),
         ),
         Rung.POINTS.check(

@@ -63,3 +63,12 @@ def test_the_threshold() -> None:
 def test_below_the_threshold_there_is_no_case() -> None:
     assert classify(shipped_mechanism("falling rod, lower friction")).case == "none"
     assert ledger.classified(fmpq(2)) is True
+
+
+def test_p_and_b_are_independent_of_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    """p, or a function of it, in the place of b has no slope in the rate of the angle."""
+    assert ledger.are_independent() is True
+    found = ledger.quantities()
+    for wrong in ({"b": found["p"]}, {"p": found["b"]}, {"alpha_1": 2 * found["alpha_1"]}):
+        monkeypatch.setattr(ledger, "quantities", lambda wrong=wrong: {**found, **wrong})
+        assert ledger.are_independent() is False
