@@ -30,6 +30,8 @@ RESTS = (
     ({"alpha1": 0, "alpha2": -1, "alpha3": -1}, {"p": "q + 0*E", "b": "K*E - q"}),
 )
 """α_1 α_3 = 0: α's and a motion, with E = e^(-s), that ends at a point other than the G-spot; q is p(0)."""
+UNSTABLE = ({"alpha1": 1, "alpha2": 1, "alpha3": 2}, {"p": "-q*E", "b": "(q + K*E)*E"})
+"""α's of no Case, and a motion with p < 0 < b, E = e^s: t rises as s and E fall; K >= 0 for b >= -p."""
 LINE = {"alpha1": "-w", "alpha3": "u"}
 """Signs with which the states of one line alone go to the G-spot."""
 
@@ -199,6 +201,19 @@ def ordered(images: Mapping[str, str]) -> tuple[bool, int] | None:
     return below, 1 if up else -1
 
 
+def unstable_slip_reaches_it() -> bool | None:
+    """Whether the motion of ``UNSTABLE`` solves Gspot1 and Gspot2, has p < 0 < b, and is at p = b = 0 where E is 0."""
+    alphas, texts = UNSTABLE
+    motion = {name: ALGEBRA.read(text) for name, text in texts.items()}
+    numbers = {name: ALGEBRA.constant(value) for name, value in alphas.items()}
+    answers = [rising_signs(-motion["p"]), rising_signs(motion["b"])]
+    for name, rate in _rates().items():
+        slope = ALGEBRA.derivative(motion[name], {"E": _SYMBOLS["E"]})
+        answers.append((slope - ALGEBRA.substitute(rate, numbers | motion)).is_zero())
+        answers.append(ALGEBRA.substitute(motion[name], {"E": ALGEBRA.constant(0)}).is_zero())
+    return all(answers)
+
+
 def others_are_cases() -> bool | None:
     """Whether ``FOURTH`` is the one of the four orders and signs with α_1, α_3 < 0 that none of the Cases has."""
     found = [ordered(images) for images in (*CASES.values(), FOURTH)]
@@ -224,18 +239,24 @@ def _attracting() -> Entry:
         "1-attracting-signs",
         "lines 269 to 273",
         r"\text{the third possibility can only occur under specific sign combinations: Cases I, II, III}",
-        "Rigid slip with constant α's, none of them 0, α_1 ≠ α_3: outside Cases I, II and III no state of slip "
-        "reaches the G-spot, but for those of one line (α_1 < 0 < α_3 and α_2 > 0)",
+        "Rigid slip with constant α's, none of them 0, α_1 ≠ α_3: outside Cases I, II and III no state of slip with "
+        "p > 0 reaches the G-spot, but for those of one line (α_1 < 0 < α_3 and α_2 > 0)",
         Rung.EXACT.check(
             "states off the line leave unless α_1, α_3 < 0; there λ_N' < -α_2 in the fourth one: lift-off; the line",
             all_of([solutions_are_right(), others_are_cases(), one_line_alone(), fourth_lifts_off()]),
         ),
         Rung.EXACT.check(
             "the solutions, the list of the other signs and the line as above; the fourth one by another way: the line "
-            "that states approach has b > 0",
-            all_of([solutions_are_right(), others_are_cases(), one_line_alone(), fourth_goes_above()]),
+            "that states approach has b > 0; a motion with p < 0 < b",
+            all_of(
+                [
+                    *(solutions_are_right(), others_are_cases(), one_line_alone()),
+                    *(fourth_goes_above(), unstable_slip_reaches_it()),
+                ]
+            ),
         ),
-        note="That the three Cases do: 1-case-I, 1-case-II, 1-case-III.",
+        note="That the three Cases do: 1-case-I, 1-case-II, 1-case-III. From p < 0 < b, where slip is unstable, the "
+        "G-spot is reached with other signs too: for α = (1, 1, 2) from every state with b >= -p.",
     )
 
 

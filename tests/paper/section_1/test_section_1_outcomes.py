@@ -68,3 +68,18 @@ def test_motions_that_end_at_another_point(
     rests[place] = (rests[place][0], motion)
     monkeypatch.setattr(ledger, "RESTS", tuple(rests))
     assert ledger.others_end_elsewhere() is holds
+
+
+def test_unstable_slip_in_no_case_comes_to_the_g_spot(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In t, by Euler's method: p rises to 0 at the rate α_1, b falls with it, and the force is positive."""
+    assert ledger.unstable_slip_reaches_it() is True
+    p, b, step = -1.0, 1.5, 1e-5
+    while p < -1e-3:
+        force = -b / p
+        assert force > 0
+        p, b = p + step, b + step * (1 - 2 * force)
+    assert 0 < b < 2e-3
+    alphas, motion = ledger.UNSTABLE
+    for wrong in ({"alpha3": -2}, {"alpha2": -1}, {"alpha1": -1}):
+        monkeypatch.setattr(ledger, "UNSTABLE", ({**alphas, **wrong}, motion))
+        assert ledger.unstable_slip_reaches_it() is False

@@ -29,6 +29,7 @@ TEETH: Teeth = {
         Bite("hypothesis", ledger.FOURTH, "alpha1", lambda _: "w"),
         Bite("hypothesis", section_1_cases.CASES["1-case-I"], "alpha2", lambda _: "m"),
         Bite("hypothesis", section_1_cases.CASES["1-case-III"], "alpha1", lambda _: "-u-w-w"),
+        Bite("hypothesis", ledger, "UNSTABLE", lambda honest: (honest[0], {**honest[1], "p": "q*E"})),
         Bite("hypothesis", ledger.LINE, "alpha1", lambda _: "w"),
         Bite("hypothesis", ledger.LINE, "alpha3", lambda _: "-u"),
         NotApplicable("order", _EXACT),
