@@ -70,7 +70,9 @@ The keys; one of the tables ``lagrangian``, ``energies``, ``fields`` says how it
     drawing.normal           the direction [x, y] away from the surface, contact.y in front of it; [0, 1] if missing
 
 Numbers are exact: integers, decimals (0.1 is 1/10), or texts such as "7/3". Formulas are read by
-:mod:`gspot_verified.mechanisms.formulas.formula`: they can run no code.
+:mod:`gspot_verified.mechanisms.formulas.formula`: they can run no code. What cancels is left out: x/x is 1,
+sqrt(x)*sqrt(x) is x, 0*log(x) is 0. At states where a formula has no value through nothing but that, every answer is
+about its continuation.
 
 What no mechanism can have is refused by ``load``: a friction coefficient below 0, a mass matrix that is not positive
 definite (for any state, or at the point, unless that only starts a search), a mass below 0. A parameter counts as a
