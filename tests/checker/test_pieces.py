@@ -43,6 +43,42 @@ def test_the_left_tail_in_rationals(low: Fraction, width: Fraction, x: Fraction)
     assert on_a_column().left_holds(low, high, n, x) is bool(holds)
 
 
+@pytest.mark.parametrize("point", ["0", "30"])
+def test_the_left_tail_ends_at_a_negative_time(point: str) -> None:
+    """From b = 3 on x is taken to an even power: without its sign all zeros up to τ = 30 would be passed over."""
+    statement = {"beta": "[11/2, 28/5]", "kind": "sign", "sign": -1, "tau": f"(-inf, {point}]"}
+    data = text_of(lines_of(statement, (["11/2", "28/5"], [["left", point]])))
+    with pytest.raises(check.limits.Rejected, match="the remainder is too large"):
+        check.main.check_text(data)
+
+
+def test_the_left_tail_needs_b_from_minus_1_on() -> None:
+    below = -1 - Fraction(1, 2**20)
+    assert on_a_column().left_holds(Fraction(-1), Fraction(-1), -1, Fraction(9))
+    assert not on_a_column().left_holds(below, below, -2, Fraction(9))
+
+
+@pytest.mark.parametrize(
+    ("signs", "found"),
+    [
+        ((1, -1, 1), [1, -1, 1, -1]),
+        ((1, 0, -1), [1, -1, -1]),
+        ((1, -1, 0), []),
+        ((-1, 0, -1), []),
+        ((0, 1, -1), []),
+        ((1, 0, 0), []),
+    ],
+)
+def test_a_sign_of_the_right_tail_may_be_open_between_opposite_ones_alone(
+    signs: tuple[int, ...], found: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between equal ones there may be no change or two, before the first one a change or none."""
+    checker = on_a_column()
+    monkeypatch.setattr(checker, "sign", lambda _, k, __: signs[k])
+    box = (Fraction(2), Fraction(17, 8), Fraction(4), Fraction(4))
+    assert checker.right_signs(box, 2) == found
+
+
 @pytest.mark.parametrize("n", [2, 5, 9])
 def test_a_tail_at_a_long_point(n: int) -> None:
     """All orders up to n are needed, at a point whose denominator is beyond every accuracy that is tried."""
