@@ -35,6 +35,7 @@ KINDS = (
     "maps",
     "approaches",
     "fates",
+    "canards",
     "friction",
     "side",
     "zero_maps",

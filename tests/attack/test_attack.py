@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 from attack import (
     approaches,
+    canards,
     certificates,
     crossings,
     expansions,
@@ -67,6 +68,7 @@ SLICE = {
     "maps": (1, 2, 4, 6, 8),
     "approaches": (1, 2, 3),
     "fates": (2, 3, 5, 7, 9, 18),
+    "canards": range(4),
     "friction": range(4),
     "side": range(2),
     "zero_maps": (4, 7, 11),
@@ -276,6 +278,7 @@ LIES: dict[str, tuple[Callable[[pytest.MonkeyPatch], None], Iterable[int]]] = {
     "sweeps": (lying(sweeps, "sweep", in_another_case), range(8)),
     "approaches": (lying(approaches, "approach", another_end), range(8)),
     "fates": (lying(fates, "fates", with_other_fates), (9, 3)),
+    "canards": (lying(canards, "fates", with_other_fates), range(8)),
     "friction": (
         lying(friction, "critical_friction", lambda f: replace(f, value=f.value and f.value * 1.001)), range(6),
     ),
