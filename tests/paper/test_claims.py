@@ -289,6 +289,24 @@ def unnamed(word: str, claims: Sequence[PaperClaim], lines: Sequence[str]) -> li
     return found
 
 
+OPEN = r"\b(?:in general (?:it|this) is open|(?:is|are) open|is unclear|neither (?:proved|excluded))\b"
+
+
+def test_what_is_open_still_is_not_overtaken() -> None:
+    """Single cases do not settle what is said to be open in general."""
+    overtaken = [claim for claim in paper_claims() if claim.proved_as is Standing.OVERTAKEN]
+    assert [claim.first for claim in overtaken if re.search(OPEN, claim.why, re.IGNORECASE)] == []
+    assert overtaken
+    assert re.search(OPEN, "of single runs: it is lost. In general it is open", re.IGNORECASE)
+
+
+def test_what_is_assumed_is_not_refuted(whole_ledger: list[Entry]) -> None:
+    """An assumption can contradict another one; by itself it is not false."""
+    outcomes = {entry.identifier: entry.verdict.outcome for entry in whole_ledger}
+    refuted = [claim for claim in paper_claims() if claim.standing(outcomes) is Standing.REFUTED]
+    assert [claim.words for claim in refuted if re.search(r"\b(?:[Aa]ssum|[Ss]uppos)", claim.begins)] == []
+
+
 def test_what_the_paper_calls_a_canard_is_claimed_to_be_one(source: list[str]) -> None:
     """It is more than a solution that divides two fates: it leads from a stable manifold to one that is not.
 

@@ -240,11 +240,6 @@ _CONSEQUENCES = {
     "6-attribution": Consequence(
         Reach.NONE, "Two places cite another work for the oscillator than the third.", "A citation."
     ),
-    "6-positive-slip": Consequence(
-        Reach.LOCAL,
-        "The formulas of the text give u = -3/5 √(g l) < 0 at the G-spot: negative slip.",
-        "All formulas hold for a belt that is fast enough; without its velocity no run can end in stick.",
-    ),
     "6-any-beta": Consequence(
         Reach.LOCAL,
         "For β > 18/7 the constant c_ψ of the damper is negative.",

@@ -45,11 +45,10 @@ def _same_situation() -> Entry:
     forms = ("printed", "corrected")
     return Section("Section 4.5").settled(
         "S-same-situation",
-        "lines 1304 to 1305, 2300 to 2304",
-        r"\text{for the other sign of }C_1\Gamma(-\beta)\text{ we are in the same situation as above; }"
-        r"\tilde{\hat y}\ll0\text{ for }s=0",
+        "lines 1304 to 1305",
+        r"\text{for the other sign of }C_1\Gamma(-\beta)\text{ we are in the same situation as above}",
         "Case III on the side of the impact is in the situation of Cases I and II: the deviation of λ_N is positive "
-        "at τ → -∞, 0 and ∞ (and y-hat is negative at s = 0)",
+        "at τ → -∞, 0 and ∞",
         Rung.EXACT.check(
             f"β = {BETA}, τ → -∞: C_1 has the sign of Γ(-β), and dΘ/dτ < 0 (S-minus-infinity)",
             mended(*map(is_so_far_left, forms)),

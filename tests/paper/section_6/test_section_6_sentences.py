@@ -2,19 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
+from flint import fmpq_mpoly
 
 from gspot_verified.paper.section_6 import section_6_sentences as ledger
 
+RATES = (ledger.by_the_place, ledger.by_the_friction)
 
+
+@pytest.mark.parametrize("rate", RATES)
 @pytest.mark.parametrize(
-    ("belt", "spot", "starts"),
-    [("0*l", False, False), ("-l*om", True, True), ("-2/5*l*om", False, None), ("-11/20*l*om", False, True)],
+    ("name", "belt", "spot", "starts"),
+    [
+        ("moving", "-3/5*l*om - lam", True, True),
+        ("moving", "-3/5*l*om + lam", False, None),  # slower: it slips backwards at the G-spot
+        ("moving", "-1/2*l*om - lam", None, True),  # which lam is not known
+        ("moving", "-2/5*l*om - lam", None, None),
+        ("moving", "-1/4*l*om", False, False),
+        ("moving", "-2/5*l*om", False, None),
+        ("at rest", "0*l", True, True),
+        ("at rest", "-l*om", False, False),
+        ("at rest", "-1/2*l*om", True, False),
+    ],
 )
-def test_belts(monkeypatch: pytest.MonkeyPatch, belt: str, spot: bool | None, starts: bool | None) -> None:
-    monkeypatch.setitem(ledger.BELT, "printed", belt)
-    assert ledger.slips_forwards_at_the_g_spot("printed") is spot
-    assert ledger.slips_forwards_at_the_starts("printed") is starts
+def test_belts(
+    monkeypatch: pytest.MonkeyPatch,
+    rate: Callable[[], fmpq_mpoly],
+    name: str,
+    belt: str,
+    spot: bool | None,
+    starts: bool | None,
+) -> None:
+    monkeypatch.setitem(ledger.BELT, name, belt)
+    assert ledger.slips_at_the_g_spot(rate(), name) is spot
+    assert ledger.slips_at_the_starts(rate(), name) is starts
 
 
 @pytest.mark.parametrize(("betas", "answer"), [("lam", False), ("18/7 - lam", True), ("18/7 + lam", False)])

@@ -31,9 +31,12 @@ TEETH: Teeth = {
     "6-positive-slip": (
         NotApplicable("factor", _SIGN),
         NotApplicable("hidden factor", _SIGN),
-        Bite("hypothesis", ledger.BELT, "printed", lambda _: "-l*om"),
-        Bite("hypothesis", ledger.BELT, "corrected", lambda _: "-l*om/2"),
+        Bite("hypothesis", ledger.BELT, "moving", replaced("3/5", "1/2")),
+        Bite("hypothesis", ledger.BELT, "moving", replaced("- lam", "+ lam")),
+        Bite("hypothesis", ledger.BELT, "at rest", lambda _: "-l*om", refutes=True),
         Bite("hypothesis", oscillator.G_SPOT, "w", lambda _: "om"),
+        Bite("hypothesis", oscillator.MOTION, "QT1", replaced("C", "S - l")),
+        Bite("hypothesis", ledger, "STARTS", lambda _: (fmpq(-9, 10), fmpq(1, 2))),
         NotApplicable("order", _SIGN),
     ),
     "6-any-beta": (
