@@ -45,7 +45,7 @@ def test_the_left_tail_in_rationals(low: Fraction, width: Fraction, x: Fraction)
 
 @pytest.mark.parametrize("point", ["0", "30"])
 def test_the_left_tail_ends_at_a_negative_time(point: str) -> None:
-    """From b = 3 on x is taken to an even power: without its sign all zeros up to τ = 30 would be passed over."""
+    """For 3 ≤ b < 6 x is taken to an even power: without its sign all zeros up to τ = 30 would be passed over."""
     statement = {"beta": "[11/2, 28/5]", "kind": "sign", "sign": -1, "tau": f"(-inf, {point}]"}
     data = text_of(lines_of(statement, (["11/2", "28/5"], [["left", point]])))
     with pytest.raises(check.limits.Rejected, match="the remainder is too large"):
