@@ -92,8 +92,8 @@ def _iwc() -> Entry:
             )
         ),
         Rung.BALLS.check(
-            "second proof: positive Taylor coefficients for τ >= 0, enveloping series for τ <= -2^(1/3), "
-            "a cover by Taylor models on boxes between",
+            "second proof: positive Taylor coefficients for τ >= 0, the enveloping series far left, a cover by Taylor "
+            "models on boxes between",
             _ANSWERS[cover.verdict.outcome],
             "pieces from τ = −∞ to +∞: " + ", ".join(pieces),
         ),

@@ -278,8 +278,8 @@ def _lift_off() -> Entry:
             all_of(answers),
             "; ".join(shown),
         ),
-        note='S-side and S-growth without the words "at leading order": the two bounds make the law of S-growth hold '
-        "for the compliant model, since (η/8) τ_LO^(3/2) tends to 0.",
+        note='S-side without the words "at leading order". At these three β the two bounds make the law of S-growth '
+        "hold for the compliant model, since (η/8) τ_LO^(3/2) tends to 0.",
     )
 
 
