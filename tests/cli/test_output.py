@@ -50,6 +50,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         "signs.cover.sign.sign",
         "signs.zeros.zeros.zeros_on_range",
         "signs.zeros.brackets.zeros_at",
+        "compliant.zeros.zero_map.zero_map",
         "mechanisms.expand.expand",
         "paper.verify.verify_paper",
         "report.write.render_report",
@@ -117,6 +118,16 @@ def test_two_outputs_with_one_name_are_refused(capsys: pytest.CaptureFixture[str
     code, _, err = run(capsys, "sign", *POINT, "--certificate", same, "--journal", same)
     assert code == 64
     assert "--journal and --certificate name the same file" in err
+
+
+@pytest.mark.usefixtures("no_work")
+@pytest.mark.parametrize("row", [0, 2])
+def test_the_journal_of_a_row_is_no_certificate(capsys: pytest.CaptureFixture[str], tmp_path: Path, row: int) -> None:
+    asked = ("--beta", "9/2..37/8", "--epsilon", "0..1", "--journal", str(tmp_path / "J"))
+    code, _, err = run(capsys, "zeros", *asked, "--certificate", str(tmp_path / f"J.{row}"))
+    assert code == 64
+    assert "--journal and --certificate name the same file" in err
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(

@@ -53,15 +53,18 @@ def zeros_over_a_rectangle(
     """A range of beta, one epsilon or a range of them.
 
     :raises ValueError: a picture of one epsilon is asked for, or a certificate that is not for beta in (4, 5) and all
-        small epsilon.
+        small epsilon, or a file that is the journal of a row.
     """
-    from gspot_verified.compliant.zeros.zero_map import least_work, zero_map
+    from gspot_verified.compliant.zeros.zero_map import least_work, row_file, zero_map
     from gspot_verified.work.executors import executor
 
     if picture is not None and ".." not in epsilon:
         raise ValueError("--picture needs a range of ε, such as 0..10")
-    proof = None if certificate is None else _certificate(beta, epsilon)
     rows, ranges = least_work(beta, epsilon)
+    if journal is not None:
+        for number in range(rows):
+            outputs.file("--journal", row_file(journal, number))
+    proof = None if certificate is None else _certificate(beta, epsilon)
     if rows * ranges > _MANY:
         progress(
             f"{rows} rows of ε with {ranges} ranges of β each, and more where they are cut: {rows * ranges} or more at "

@@ -255,7 +255,16 @@ def _journal_of_row(
     journal: str | Path | None, number: int, betas: tuple[fmpq, fmpq], epsilons: tuple[fmpq, fmpq]
 ) -> AbstractContextManager[Journal | None]:
     question = {"kind": "zeros at finite epsilon", "beta": str(betas), "epsilon": f"{epsilons[0]}..{epsilons[1]}"}
-    return opened(None if journal is None else Path(f"{journal}.{number}"), question)
+    return opened(None if journal is None else row_file(journal, number), question)
+
+
+def row_file(journal: str | Path, number: int) -> Path:
+    """The file of a map's journal that is for one row of epsilon; the first row has the number 0.
+
+    >>> row_file("work", 2).name
+    'work.2'
+    """
+    return Path(f"{journal}.{number}")
 
 
 def examine(
