@@ -42,7 +42,8 @@ def fates(
     """Where positive slip in contact ends, from every state of a range or a rectangle.
 
     ``state`` gives the components that do not vary, but for two that y = 0 and v = 0 determine. ``over``: one or two
-    components to "lower..upper", "lower..upper:cells" or (lower, upper, cells); the ends belong to the range.
+    components to "lower..upper", "lower..upper:cells" or (lower, upper, cells); the ends belong to the range. An angle
+    with a reference is given whole: phi, not phi - phi_ref.
     ``surface_velocity``: slip stops at u = surface_velocity. ``spot``: which of all G-spots the sides are about, by its
     number (left out: that at the mechanism's place).
 

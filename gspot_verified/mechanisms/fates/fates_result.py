@@ -99,7 +99,8 @@ class Fates(NoTruthValue, Written):
 
     def __str__(self) -> str:
         state = ", ".join(f"{word} = {value}" for word, value in self.state)
-        lines = [str(self.verdict), f"  from {state}; slip stops at u = {self.surface_velocity}"]
+        given = f"from {state}; " if state else ""
+        lines = [str(self.verdict), f"  {given}slip stops at u = {self.surface_velocity}"]
         lines.append(f"  the G-spot: {case_text(self.sides.case)}, beta = {ball_text(self.sides.beta, 8)}")
         for fate in Fate:
             share = self.shares.get(fate.value)

@@ -30,6 +30,7 @@ from gspot_verified.mechanisms.fates.reference import reference
 from gspot_verified.mechanisms.fates.strip import strip
 from gspot_verified.mechanisms.input.file import parse_mechanism
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.g_spot import place_in, prove_near
 from gspot_verified.numbers.balls import working_bits
@@ -237,6 +238,15 @@ def test_of_several_solutions_of_the_contact_none_is_taken_in_silence() -> None:
 def test_a_flow_that_is_not_planar_is_refused() -> None:
     with pytest.raises(MechanismError, match="two components"):
         fates(shipped_mechanism("frictional impact oscillator"), {"phi": 0}, {"phi_dot": "-1..-1/2"})
+
+
+def test_an_angle_with_a_reference_is_given_whole() -> None:
+    """u = cos(phi) phi_dot is about -0.64 at phi = 0.272, and -0.24 at phi = phi_ref + 0.272."""
+    planar = load("oscillator", beta="18/7")
+    over = {"phi": "271/1000..273/1000:1", "phi_dot": "-66/100..-65/100:1"}
+    found = fates(planar, {}, over, surface_velocity="-29/100")
+    assert {piece.fate for piece in found.pieces} == {Fate.NO_SLIP}
+    assert str(found).splitlines()[1] == "  slip stops at u = -29/100"
 
 
 def test_a_journal_goes_on_and_a_forged_one_changes_nothing(tmp_path: Path) -> None:
