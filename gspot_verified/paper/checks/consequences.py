@@ -240,11 +240,6 @@ _CONSEQUENCES = {
     "6-attribution": Consequence(
         Reach.NONE, "Two places cite another work for the oscillator than the third.", "A citation."
     ),
-    "6-any-beta": Consequence(
-        Reach.LOCAL,
-        "For β > 18/7 the constant c_ψ of the damper is negative.",
-        "The simulated β = 7/3 is below the bound.",
-    ),
     "6-colours": Consequence(
         Reach.LOCAL,
         "The caption and the text give the two colours in opposite order.",

@@ -402,8 +402,8 @@ def _signs() -> Entry:
             all_of([sums_to_twice_c(), forward_force_slows()]),
         ),
         Rung.EXACT.check("C = μB and A = (B² + D)/C put in, D = AC - B², all symbols positive", signs_at_p_0()),
-        note="A, C and AC - B² are positive: 1-mass-matrix. The paper says it of typical contacts; at p = 0 it holds "
-        "for all.",
+        note="A, C and AC - B² are positive: 1-mass-matrix. The paper says of p⁻ that it must be positive, and of the "
+        "accelerations that they typically have these signs; at p = 0 they always have.",
     )
 
 

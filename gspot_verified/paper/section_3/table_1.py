@@ -266,8 +266,10 @@ def _one_series() -> Entry:
         "numbers are inexact or misprinted: over ε = 10^-3, 10^-4, 10^-5, 10^-6 the "
         f"slopes are {' and '.join(decimals(found) for found in decades if found is not None)} where "
         f"{' and '.join(printed)} are printed",
-        note="Each number by itself, but for one, is the slope over some series of ε <= 10^-3. With larger ε in the "
-        f"one series than {COMMON} nothing is proved.",
+        note=f"Each number by itself, but for {SYMBOLS[third]} at β = {half}, is the slope over some series of ε <= "
+        f"10^-3. That one is the slope over no series of ε <= {LARGEST}, nor over ε = 10^-3, 10^-4, 10^-5, 10^-6 "
+        "(3-table-1-y-1_2): so no one series of these kinds has all. Of others, with ε above "
+        f"{COMMON}, nothing is proved.",
     )
 
 

@@ -140,9 +140,9 @@ def how_named(beta: fmpq, nu: fmpq) -> str:
         return "names the other fate for this run, by its side of b(0) (3-sides, where the sides are corrected)"
     if by_side and nu == 1:
         return "has the trivial solution between the two fates"
-    return (
-        "names this fate for this run, by its side of b(0)" if by_side else "names this fate for all runs of the panel"
-    )
+    if by_side:
+        return "names this fate for this run, by its side of b(0)"
+    return "names this fate for all initial conditions that become attracted to the G-spot"
 
 
 def are_drawn(beta: fmpq, nu: fmpq, found: Sequence[str | None]) -> bool | None:

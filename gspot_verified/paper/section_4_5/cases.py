@@ -97,9 +97,10 @@ def _iwc() -> Entry:
             _ANSWERS[cover.verdict.outcome],
             "pieces from τ = −∞ to +∞: " + ", ".join(pieces),
         ),
-        note='The paper calls this "strong evidence, although not quite a proof". With C_1 < 0 and '
-        "S-deviation-force the deviation of the force is then positive for every τ at leading order: an impact "
-        "without collision. For the compliant model: C-cases-I-II.",
+        note='The paper has the sign for τ large, for τ = 0 and in numbers: "strong evidence that an impact must '
+        'occur, although not quite a proof". With C_1 < 0 and S-deviation-force the deviation of the force is then '
+        "positive for every τ at leading order; that it grows and outweighs the mean: S-plus-infinity, S-dominance. "
+        "The impact in the compliant model: C-cases-I-II.",
     )
 
 

@@ -217,7 +217,8 @@ def _orders() -> Entry:
         "5-theorem-1-orders",
         "th:1, the orders of the residuals",
         r"O(\delta^M),\quad O(\delta^{M+2})",
-        "The sums of the first M terms satisfy specialX to specialL up to O(δ^M), and eqs. pbc to Jbc up to O(δ^(M+2))",
+        "Under the hypotheses of 5-theorem-1 the sums of the first M terms satisfy specialX to specialL up to O(δ^M), "
+        "and eqs. pbc to Jbc up to O(δ^(M+2))",
         Page("expansion", (dependence,)).carries(
             Rung.EXACT.check(
                 "section 3, orders: the orders below know terms of orders below M only, the stated ones know the term "

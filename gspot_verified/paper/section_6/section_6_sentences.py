@@ -9,7 +9,6 @@ from flint import arb, fmpq, fmpq_mpoly
 
 from gspot_verified.numbers.balls import nonfinite, working_bits
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
-from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import rising_signs
 from gspot_verified.paper.checks.words import Place, held_against
 from gspot_verified.paper.section_6 import oscillator, section_6_runs
@@ -52,8 +51,8 @@ STARTS = (fmpq(-9, 10), fmpq(-1, 2))
 AWAY = fmpq(1, 10)
 IN_CONTACT = {"psi": "C - 1", "x": "-S*w"}
 """ψ and its rate at both starts."""
-BETAS = {"printed": "lam", "corrected": "18/7 - lam"}
-"""Every β = lam > 0; every β below 18/7, at the distance lam > 0."""
+BETAS = {"below": "18/7 - lam", "above": "18/7 + lam"}
+"""Every β below 18/7, and every β above it, at the distance lam > 0."""
 HIGHEST = fmpq(18, 7)
 
 
@@ -154,7 +153,7 @@ def _positive_slip() -> Entry:
         "there",
         Rung.BALLS.check("the rate of the printed x", _slips(by_the_place())),
         Rung.BALLS.check("the printed Q_T times the rates of φ and ψ", _slips(by_the_friction())),
-        note="The velocity of the belt is not printed. Without it no run can end in stick.",
+        note="The velocity of the belt is not printed. Without it nothing can be said of whether a run ends in stick.",
     )
 
 
@@ -190,50 +189,54 @@ def _starts() -> Entry:
     )
 
 
-def damps(form: str) -> bool | None:
-    """Whether c_ψ >= 0 for these β: True by positive coefficients in lam > 0, False when it falls for ever."""
-    found = ALGEBRA.substitute(ALGEBRA.read(oscillator.PARAMETERS["cpsi"]), {"beta": ALGEBRA.read(BETAS[form])})
-    if rising_signs(found):
-        return True
-    slope = found.derivative("lam")
-    return False if rising_signs(-slope) and slope.derivative("lam").is_zero() else None
+def damper(where: str) -> fmpq_mpoly:
+    """c_ψ for these β, with lam > 0."""
+    return ALGEBRA.substitute(ALGEBRA.read(oscillator.PARAMETERS["cpsi"]), {"beta": ALGEBRA.read(BETAS[where])})
 
 
-def has_a_case(form: str) -> bool | None:
-    """Whether there are κ >= 0 with a Case for these β: not above 10/3, where α_2 > 0; κ = 0 up to 18/7, but for β = 1.
+def damps_up_to_the_highest() -> bool | None:
+    """Whether c_ψ > 0 for every β < 18/7, and c_ψ < 0 for every β > 18/7."""
+    return all_of([rising_signs(damper("below")), rising_signs(-damper("above"))])
+
+
+def falls_through_zero() -> bool | None:
+    """The same by its value and its slope: 0 at 18/7, and linear in β with a negative slope."""
+    found = ALGEBRA.read(oscillator.PARAMETERS["cpsi"])
+    slope = found.derivative("beta")
+    at_highest = ALGEBRA.substitute(found, {"beta": ALGEBRA.constant(HIGHEST)})
+    return all_of([at_highest.is_zero(), slope.derivative("beta").is_zero(), rising_signs(-slope)])
+
+
+def has_a_case() -> bool | None:
+    """Whether there are κ >= 0 with a Case for every β up to 18/7 but β = 1: κ = 0 is one.
 
     There α_2 < 0, as it is convex in β and negative at both ends; α_1 < 0 and α_3 = β α_1: Case I for β < 1, else III.
     """
-    if form == "printed":
-        return False if section_6_runs.ends_before_10_3() is True else None
     algebra, zero = section_6_runs.ALGEBRA, section_6_runs.ALGEBRA.constant(0)
     second = algebra.substitute(algebra.read(section_6_runs.ALPHAS["alpha_2"]), {"kappa": zero})
     convex = rising_signs(second.derivative("beta").derivative("beta"))
     ends = [section_6_runs.number("alpha_2", beta, fmpq(0)) for beta in (fmpq(0), HIGHEST)]
-    return section_6_runs.is_controlled() and convex and max(ends) < 0
+    return all_of([section_6_runs.is_controlled(), convex, max(ends) < 0])
 
 
 def _any_beta() -> Entry:
-    forms = ("printed", "corrected")
     return SECTION.settled(
         "6-any-beta",
         "lines 2156 to 2165, 2184 to 2185",
         r"\beta\ \text{may take any desired value}",
-        "With the chosen parameters, but no negative constant of a spring or a damper, the oscillator may have any "
-        "β > 0, in some Case",
+        "With the chosen parameters the constant c_ψ of the damper is positive for 0 < β < 18/7 and negative for every "
+        "β > 18/7; for every β with 0 < β <= 18/7 but β = 1 there is a κ >= 0 with which the oscillator is in a Case",
         Rung.EXACT.check(
-            "c_ψ = 25/108 (18 - 7β) m_1 sqrt(g/l) of line 2160",
-            mended(*map(damps, forms)),
-            "negative for every β > 18/7: the damper would drive",
+            "the signs of c_ψ = 25/108 (18 - 7β) m_1 sqrt(g/l) of line 2160 on both sides of 18/7; α_1, α_2 and α_3 at "
+            "κ = 0",
+            all_of([damps_up_to_the_highest(), has_a_case()]),
         ),
         Rung.EXACT.check(
-            "α_2 for k_ψ >= 0, as κ >= 0, and β >= 10/3",
-            mended(*map(has_a_case, forms)),
-            "α_2 > 0 and α_3 < α_1 < 0: none of the three Cases",
+            "c_ψ falls linearly through 0 at 18/7; for β >= 10/3 there is no such κ: α_2 > 0 and α_3 < α_1 < 0",
+            all_of([falls_through_zero(), section_6_runs.ends_before_10_3()]),
         ),
-        corrected="0 < β <= 18/7, in some Case but for β = 1, with the chosen parameters, as the constants of springs "
-        "and dampers are not negative",
-        note="With a damper and a spring of negative constants every β can be had: 6-classes.",
+        note="The paper does not say that constants of springs and dampers are not negative. With constants of any "
+        "sign every β > 0 can be had, in some Case but for β = 1: 6-classes.",
     )
 
 

@@ -340,3 +340,10 @@ def test_the_sign_of_what_is_measured() -> None:
         "v": [fmpq(1, 2)],
         "y": [fmpq(1, 2), fmpq(3, 2)],
     }
+
+
+def test_the_note_on_one_series_says_what_one_number_excludes() -> None:
+    entry = ledger.ENTRIES["3-table-1-one-series"]()
+    assert ledger.can_be_the_number("1.6538", "y", fmpq(1, 2), ledger.LARGEST) is False
+    assert f"no series of ε <= {ledger.LARGEST}" in entry.note
+    assert ledger.LARGEST > ledger.COMMON

@@ -64,7 +64,9 @@ def test_the_note_of_a_run_whose_fate_is_as_printed(monkeypatch: pytest.MonkeyPa
     monkeypatch.setitem(varsim1.section_3.IMPACT, "printed", varsim1.section_3.IMPACT["corrected"])
     assert varsim1.how_named(fmpq(3, 2), fmpq(2)) == "names this fate for this run, by its side of b(0)"
     assert varsim1.how_named(fmpq(3, 2), fmpq(1)) == "has the trivial solution between the two fates"
-    assert varsim1.how_named(fmpq(1, 2), fmpq(1)) == "names this fate for all runs of the panel"
+    assert varsim1.how_named(fmpq(1, 2), fmpq(1)) == (
+        "names this fate for all initial conditions that become attracted to the G-spot"
+    )
 
 
 def test_the_fates_of_the_figure() -> None:

@@ -40,15 +40,32 @@ def test_belts(
     assert ledger.slips_at_the_starts(rate(), name) is starts
 
 
-@pytest.mark.parametrize(("betas", "answer"), [("lam", False), ("18/7 - lam", True), ("18/7 + lam", False)])
-def test_dampers(monkeypatch: pytest.MonkeyPatch, betas: str, answer: bool) -> None:
-    monkeypatch.setitem(ledger.BETAS, "printed", betas)
-    assert ledger.damps("printed") is answer
+@pytest.mark.parametrize(
+    ("side", "betas", "answer"),
+    [
+        ("below", "18/7 - lam", True),
+        ("below", "18/7 + lam", False),
+        ("below", "lam", False),
+        ("above", "18/7 + lam", True),
+        ("above", "17/7 + lam", False),
+    ],
+)
+def test_the_damper_below_and_above(monkeypatch: pytest.MonkeyPatch, side: str, betas: str, answer: bool) -> None:
+    monkeypatch.setitem(ledger.BETAS, side, betas)
+    assert ledger.damps_up_to_the_highest() is answer
+
+
+@pytest.mark.parametrize(
+    ("constant", "answer"),
+    [("18 - 7*beta", True), ("17 - 7*beta", False), ("18 - 49/18*beta^2", False), ("7*beta - 18", False)],
+)
+def test_the_damper_falls_through_zero(monkeypatch: pytest.MonkeyPatch, constant: str, answer: bool) -> None:
+    monkeypatch.setitem(ledger.oscillator.PARAMETERS, "cpsi", constant)
+    assert ledger.falls_through_zero() is answer
 
 
 def test_cases() -> None:
-    assert ledger.has_a_case("printed") is False
-    assert ledger.has_a_case("corrected") is True
+    assert ledger.has_a_case() is True
 
 
 @pytest.mark.parametrize(
@@ -63,4 +80,4 @@ def test_cases() -> None:
 )
 def test_alpha_2_is_negative_up_to_the_highest(monkeypatch: pytest.MonkeyPatch, alpha_2: str, answer: bool) -> None:
     monkeypatch.setitem(ledger.section_6_runs.ALPHAS, "alpha_2", f"{alpha_2} + kappa")
-    assert ledger.has_a_case("corrected") is answer
+    assert ledger.has_a_case() is answer

@@ -42,8 +42,8 @@ TEETH: Teeth = {
     "6-any-beta": (
         NotApplicable("factor", _SIGN),
         NotApplicable("hidden factor", _SIGN),
-        Bite("hypothesis", ledger.BETAS, "printed", lambda _: "18/7 - lam"),
-        Bite("hypothesis", ledger.BETAS, "corrected", lambda _: "19/7 - lam"),
+        Bite("hypothesis", ledger.BETAS, "below", lambda _: "19/7 - lam"),
+        Bite("hypothesis", ledger.BETAS, "above", lambda _: "17/7 + lam"),
         Bite("hypothesis", oscillator.PARAMETERS, "cpsi", replaced("18 - 7*beta", "18 + 7*beta")),
         Bite("hypothesis", section_6_runs.ALPHAS, "alpha_2", lambda honest: f"-({honest})"),
         Bite("hypothesis", ledger, "HIGHEST", lambda _: fmpq(10, 3)),
