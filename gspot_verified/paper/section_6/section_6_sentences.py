@@ -219,6 +219,22 @@ def has_a_case() -> bool | None:
     return all_of([section_6_runs.is_controlled(), convex, max(ends) < 0])
 
 
+def has_a_case_by_its_coefficients() -> bool | None:
+    """The same with β = 18/7 a/(a + b), a > 0, b >= 0: (a + b)² α_2 at κ = 0 has negative coefficients alone.
+
+    So have α_1 and α_3, and α_3 is β α_1. Here a is u and b is kappa.
+    """
+    algebra = section_6_runs.ALGEBRA
+    first, second, third = (algebra.read(section_6_runs.ALPHAS[f"alpha_{k}"]) for k in (1, 2, 3))
+    still = algebra.substitute(second, {"kappa": algebra.constant(0)})
+    terms = [algebra.coefficient_of(still, "beta", power) for power in range(3)]
+    part, whole = algebra.read("u") * HIGHEST, algebra.read("u + kappa")
+    spread = sum((term * part**k * whole ** (2 - k) for k, term in enumerate(terms)), algebra.constant(0))
+    beta = algebra.read("beta")
+    all_terms = (still - sum((term * beta**k for k, term in enumerate(terms)), algebra.constant(0))).is_zero()
+    return all_of([all_terms, (third - beta * first).is_zero(), *(rising_signs(-v) for v in (first, third, spread))])
+
+
 def _any_beta() -> Entry:
     return SECTION.settled(
         "6-any-beta",
@@ -232,8 +248,9 @@ def _any_beta() -> Entry:
             all_of([damps_up_to_the_highest(), has_a_case()]),
         ),
         Rung.EXACT.check(
-            "c_ψ falls linearly through 0 at 18/7; for β >= 10/3 there is no such κ: α_2 > 0 and α_3 < α_1 < 0",
-            all_of([falls_through_zero(), section_6_runs.ends_before_10_3()]),
+            "c_ψ falls linearly through 0 at 18/7; the signs of the coefficients of α_1, α_2 and α_3 with κ = 0 and "
+            "β = 18/7 a/(a + b)",
+            all_of([falls_through_zero(), has_a_case_by_its_coefficients()]),
         ),
         note="The paper does not say that constants of springs and dampers are not negative. With constants of any "
         "sign every β > 0 can be had, in some Case but for β = 1: 6-classes.",

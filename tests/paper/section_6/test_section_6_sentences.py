@@ -66,6 +66,31 @@ def test_the_damper_falls_through_zero(monkeypatch: pytest.MonkeyPatch, constant
 
 def test_cases() -> None:
     assert ledger.has_a_case() is True
+    assert ledger.has_a_case_by_its_coefficients() is True
+
+
+@pytest.mark.parametrize(("name", "wrong"), [("alpha_1", "beta"), ("alpha_3", "-1 - beta"), ("alpha_3", "beta - 3")])
+def test_a_case_asks_for_the_signs_and_the_ratio(monkeypatch: pytest.MonkeyPatch, name: str, wrong: str) -> None:
+    monkeypatch.setitem(ledger.section_6_runs.ALPHAS, name, wrong)
+    assert ledger.has_a_case() is False
+    assert ledger.has_a_case_by_its_coefficients() is False
+
+
+@pytest.mark.parametrize(
+    ("part", "number"),
+    [
+        ("damps_up_to_the_highest", 0),
+        ("has_a_case", 0),
+        ("falls_through_zero", 1),
+        ("has_a_case_by_its_coefficients", 1),
+    ],
+)
+def test_each_check_on_beta_asks_for_the_damper_and_a_case(
+    monkeypatch: pytest.MonkeyPatch, part: str, number: int
+) -> None:
+    assert [check.agrees for check in ledger.ENTRIES["6-any-beta"]().checks] == [True, True]
+    monkeypatch.setattr(ledger, part, lambda: False)
+    assert ledger.ENTRIES["6-any-beta"]().checks[number].agrees is False
 
 
 @pytest.mark.parametrize(
@@ -81,3 +106,4 @@ def test_cases() -> None:
 def test_alpha_2_is_negative_up_to_the_highest(monkeypatch: pytest.MonkeyPatch, alpha_2: str, answer: bool) -> None:
     monkeypatch.setitem(ledger.section_6_runs.ALPHAS, "alpha_2", f"{alpha_2} + kappa")
     assert ledger.has_a_case() is answer
+    assert ledger.has_a_case_by_its_coefficients() is (answer or alpha_2 == "-beta^2 - 1")
