@@ -84,7 +84,8 @@ def small(j: int, betas: Sequence[fmpq]) -> Entry:
             "twice the first omitted terms",
             all_of(errors.small_error_within(j, x, beta) for x, beta in checked),
         ),
-        note="That it fails at an integer β is not shown: at the points tried the error is as small at "
+        note=f"At β = {j - 3}, {j - 6}, {j - 9}, ... the right side as printed is 0 times a pole of Γ. That it fails at "
+        "another integer is not shown: at the points tried the error is as small at "
         f"β = {', '.join(map(str, _allowed_integers(j)))}.",
     )
 
