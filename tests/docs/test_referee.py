@@ -45,7 +45,9 @@ def test_a_definition_of_a_definition_is_found_and_a_comment_uses_nothing() -> N
 def test_a_condition_a_part_and_a_contradiction_are_said() -> None:
     written = referee.page()
     assert "- l. 1073–1076: The deviations of y, v, z and λ_N are recovered from that of b by eqs." in written
-    assert "- l. 912–914: In Case II b, y and v increase after lift-off, and it persists [b >= 0, y <= 0" in written
+    assert (
+        "- l. 912–914: In Case II b, y and v increase after lift-off, and it persists [in the model system" in written
+    )
     assert "[2-trivial-zy] – **not as printed**: the printed z and y solve the equations never\n" in written
 
 

@@ -6,7 +6,7 @@ REFUTED = {
     *("5-fast-system", "5-ansatz-p0", "5-bpert-v", "6-sign-of-G", "4-unique-smooth", "4-behaves-like", "3-sides"),
     *("3-case-II", "3-table-1-one-series", "3-table-1-y-1_2"),
     *("1-stiffness", "1-poisson", "1-colours", "2-unilateral", "2-contact-part", "2-coupling", "3-trivial-shown"),
-    *("3-caption-equations", "4-reference", "S-same-situation", "5-kinds", "5-brackets", "5-letters", "6-attribution"),
+    *("3-caption-equations", "4-reference", "5-kinds", "5-brackets", "5-letters", "6-attribution"),
     *("6-colours", "S-gamma-name"),
     *("1-scalars", "5-typesetting", "5-approaching-side", "5-manifold-names"),
 }

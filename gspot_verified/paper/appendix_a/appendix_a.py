@@ -99,8 +99,8 @@ def _cancellation() -> Entry:
         claim.check("both sums of the three coefficients, as closed forms in β", _sums_vanish),
         NEGATIVE.carries(
             claim.check(
-                "Θ minus N terms of its power series is below the next term, for every N; the initial "
-                "values are those of proofs/laplace.md, as closed forms in β",
+                "Θ minus N terms of its power series is at most the next term, for every N > β/3; the initial values "
+                "are those of proofs/laplace.md, as closed forms in β",
                 lambda forms: [form / _page_initial_value(j) for j, form in enumerate(forms.values())],
             )
         ),
@@ -149,8 +149,8 @@ def _initial_value(j: int) -> Entry:
         f"A-{label}",
         f"eq:{label}",
         rf"{derivative}=\Gamma(({j}-\beta)/3)/(3^{{({3 - j}+\beta)/3}}\Gamma(-\beta))",
-        f"The initial value of eq. {label} is that of Θ, the solution without oscillatory terms that is asymptotic to "
-        "(-τ)^β as τ → −∞, for every β that is not 0, 1, 2, ...",
+        f"The initial value of eq. {label} is that of Θ, which is asymptotic to (-τ)^β as τ → −∞ without oscillatory "
+        "terms (A-leading, A-cancellation), for every β that is not 0, 1, 2, ...",
         LAPLACE.carries(
             claim.check(
                 "section 1 (substitution r^3/3): its value and the printed one, as closed forms in β",

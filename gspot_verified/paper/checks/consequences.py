@@ -44,7 +44,7 @@ def consequence(identifier: str) -> Consequence | None:
 _CONSEQUENCES = {
     "1-beta": Consequence(
         Reach.LOCAL,
-        "(-t)^β solves eq. (46) at ε = 0 for this β alone.",
+        "In Case III α_1/α_3 is between 0 and 1; (-t)^β solves eq. (46) at ε = 0 for β = α_3/α_1 alone.",
         "The Introduction alone; everywhere else β is α_3/α_1.",
     ),
     "1-stiffness": Consequence(
@@ -55,16 +55,16 @@ _CONSEQUENCES = {
     "1-poisson": Consequence(
         Reach.NONE,
         "The contact pushes in both phases, so both impulses are positive.",
-        "The law is named, and not used.",
+        "The law is named, and no formula uses it.",
     ),
     "1-colours": Consequence(
         Reach.LOCAL,
         "The captions of Figures 3 and 4 name another colour than the text.",
-        "A reader of the figures looks for a line of the wrong colour.",
+        "One of the two sends a reader of the figures to a line of the wrong colour.",
     ),
     "1-scalars": Consequence(Reach.NONE, "Eqs. (1) and (2) have a, b, A, B and C, and no D.", "No formula has a D."),
     "2-unilateral": Consequence(
-        Reach.NONE, "Contact is y = 0, which y > 0 leaves out.", "Contact is y = 0 from the next page on."
+        Reach.NONE, "Contact is y = 0, which y > 0 leaves out.", "Contact is y = 0 in lines 502 and 508."
     ),
     "2-contact-part": Consequence(
         Reach.NONE,
@@ -74,12 +74,14 @@ _CONSEQUENCES = {
     "2-coupling": Consequence(
         Reach.LOCAL,
         "In slip neither x nor u enters eqs. (35) to (39), for any χ.",
-        "What χ adds to the example is a coupling of b and p, within slip.",
+        "What χ adds to the example is a coupling of b back to p, in slip and in stick.",
     ),
     "2-trivial-zy": Consequence(
         Reach.LOCAL,
         "λ_N = (z - y)/ε² = α_2/(α_3 - α_1) on this solution; the printed sign gives its negative.",
-        "The trivial solution as printed does not solve the equations; nothing later uses its z and y.",
+        "The trivial solution as printed does not solve the equations. Lines 1054 to 1057 and 1885 to 1887 refer to "
+        "its z and y, the exponent 1.6538 of Table 1 is by this sign, and the mean force of line 1250 has it; the "
+        "other exponents of Table 1 are those of the right sign, and no side is found from it.",
     ),
     "3-trivial-shown": Consequence(
         Reach.LOCAL,
@@ -100,18 +102,19 @@ _CONSEQUENCES = {
         Reach.CONCLUSION,
         "λ_N is constant on the trivial solution, and some starts beside it pass p = 0 and lift off.",
         "In Case II, too, a canard stands between the impact and the lift-off; the starts beside it that pass the "
-        "G-spot and lift off shrink to it as ε → 0.",
+        "G-spot and lift off shrink to it as ε → 0, at leading order.",
     ),
     "3-table-1-one-series": Consequence(
         Reach.LOCAL,
-        "Over any one series of ε <= 1/1500, 1 % apart or more, the two slopes are closer than printed.",
+        "Over any one series of ε <= 1/2500, 1 % apart or more, two of the slopes are closer than printed.",
         "Which series of ε was used is not printed; the theoretical exponents are right.",
         table="Table 1(a)",
     ),
     "3-table-1-y-1_2": Consequence(
         Reach.LOCAL,
-        "No series of ε <= 1/1024, 1 % apart or more, has this slope, nor has ε = 10^-3, ..., 10^-6.",
-        "One measured exponent; the theoretical one beside it is right, and so is the conclusion.",
+        "Over ε = 10^-3, ..., 10^-6 it is the slope of y less eq. (29) as printed, with the wrong sign.",
+        "One measured exponent, by the sign of eq. (29) (2-trivial-zy); the theoretical one beside it is right, and "
+        "so is the conclusion.",
         table="Table 1(a)",
     ),
     "4-reference": Consequence(
@@ -127,11 +130,11 @@ _CONSEQUENCES = {
     "4-unique-smooth": Consequence(
         Reach.CONCLUSION,
         "A solution of eq. (46) times exp(-1/ε²) can be added, and the sum is smooth too.",
-        "The distinguished trajectory is unique as a formal series, not among smooth functions.",
+        "For β not an integer the distinguished trajectory is unique as a formal series, not among smooth functions.",
     ),
     "4-inner-fast": Consequence(
         Reach.NONE,
-        "Eq. (52) with s = δ s_f, times δ³, has the minus sign there.",
+        "Eq. (52) in the time s_f, ds = δ ds_f, times δ³, has the minus sign there.",
         "The limit that is used does not contain the term.",
     ),
     "4-inner-scaling-v": Consequence(
@@ -142,7 +145,7 @@ _CONSEQUENCES = {
     "4-behaves-like": Consequence(
         Reach.LOCAL,
         "Solutions that oscillate, of the smaller size (-τ)^(-β/2-3/4), can be added.",
-        "(-τ)^β alone does not determine Θ; the condition on e_r and e_i, which stands before it, does.",
+        "(-τ)^β alone does not determine Θ; with the condition on e_r and e_i, which stands before it, it does.",
     ),
     "4-matching-middle": Consequence(
         Reach.NONE,
@@ -157,7 +160,8 @@ _CONSEQUENCES = {
     "S-gamma-intervals": Consequence(
         Reach.CONCLUSION,
         "Γ(-1/2) < 0 < Γ(-3/2), and Γ(-β) changes its sign at each positive integer.",
-        "As printed, lift-off and impact exchange their sides, and the argument for 0 < β < 1 fails.",
+        "Who takes the side from these intervals finds the wrong one for even ⌊β⌋, 0 < β < 1 among them, and both "
+        "signs for odd ⌊β⌋. The paper's own conclusions are in Γ(-β), and hold.",
     ),
     "S-gamma-name": Consequence(
         Reach.NONE, "Without its backslash the name is printed as five variables.", "The formulas have Γ."
@@ -166,11 +170,6 @@ _CONSEQUENCES = {
         Reach.LOCAL,
         "Θ is positive at τ = 0 and for τ → −∞; what is negative is its derivative.",
         "Θ stands for dΘ/dτ; the argument is about dΘ/dτ.",
-    ),
-    "S-same-situation": Consequence(
-        Reach.LOCAL,
-        "At β = 3/2 the deviation of λ_N is negative for τ → −∞ and at τ = 0 on this side.",
-        "The conclusion, an impact, holds; the argument for it is another one than in Cases I and II.",
     ),
     "5-kinds": Consequence(
         Reach.NONE,
@@ -189,13 +188,13 @@ _CONSEQUENCES = {
     ),
     "5-manifold-names": Consequence(
         Reach.NONE,
-        "The manifold of ε = 0 consists of the equilibria of the fast system, and is not invariant for ε > 0.",
+        "The manifold of ε = 0 is that of the equilibria, and is in general not invariant for ε > 0.",
         "The two words are exchanged; what is said of the manifolds is meant of the right ones.",
     ),
     "5-letters": Consequence(
         Reach.NONE,
         "Eq. (70) has F(ξ) and G(ξ); functions with a tilde are not defined.",
-        "The equations that follow from it do not contain ξ.",
+        "The equations of the perturbation, lines 2064 to 2070, do not contain ξ.",
     ),
     "5-brackets": Consequence(
         Reach.NONE,
@@ -214,18 +213,18 @@ _CONSEQUENCES = {
     ),
     "5-example-b-error": Consequence(
         Reach.LOCAL,
-        "The recursion of Theorem 1 gives b_7, and it is not 0.",
+        "The recursion of Theorem 1 gives b_7, and it is not 0 for χ other than 0.",
         "The error of one printed expansion is larger than stated.",
     ),
     "5-fast-system": Consequence(
         Reach.NONE,
-        "The rate of v_o is b + p λ_N, where b is a constant of the fast system and not 0.",
-        "M and its eigenvalues are right, and nothing else is used.",
+        "The rate of v_o is b + p λ_N, where b is a constant of the fast system and in general not 0.",
+        "M and its characteristic polynomial are right, and nothing else is used.",
     ),
     "5-ansatz-p0": Consequence(
         Reach.LOCAL,
         "The rate of p is α_1(ξ), and ξ deviates by ξ_0 (-t)^β.",
-        "The exponent and the leading terms of ξ and λ_N hold; p has another one.",
+        "The exponent and the leading terms of ξ, b and λ_N hold; p has another one.",
     ),
     "5-bpert-v": Consequence(
         Reach.LOCAL,
@@ -248,6 +247,7 @@ _CONSEQUENCES = {
     "A-th5-condition": Consequence(
         Reach.LOCAL,
         "There 1/Γ is 0, and with it the right side; the left side is a polynomial, and not 0.",
-        "Where the formulas are used, β is not an integer, and there they hold.",
+        "They are used for Θ in eq. (A.14) and for dΘ/dτ in eq. (58), which state no condition either: all of them "
+        "hold for a β that is not an integer, as line 1016 asks; at integers: A-tlarge, S-plus-infinity.",
     ),
 }

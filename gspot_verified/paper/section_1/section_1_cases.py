@@ -122,8 +122,8 @@ def _case(name: str) -> Entry:
         name,
         LINES[name],
         r"p/b\to0,\ \lambda_N\to\infty" if GROWS[name] else r"\lambda_N\to\alpha_2/(\alpha_3-\alpha_1)",
-        f"Case {name.rpartition('-')[2]}, rigid slip with constant α's: {WHO[name]} stays in slip and reaches the "
-        f"G-spot in finite time, and {ENDS[name]}",
+        f"Case {name.rpartition('-')[2]}, rigid slip with constant α's: {WHO[name]} keeps p > 0 and λ_N > 0 and, "
+        f"as long as slip is positive, reaches the G-spot in finite time, and {ENDS[name]}",
         Rung.EXACT.check(
             "the solution b = c p + (b(0) - c p(0)) e^(α_3 s) of Gspot1, Gspot2, c = α_2/(α_1 - α_3), for all values",
             all_of([solves(name), stays_and_ends(name), reaches(CASES[name])]),

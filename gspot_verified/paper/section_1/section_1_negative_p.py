@@ -168,9 +168,9 @@ def _impact_from_rest() -> Entry:
         "1-impact-without-collision",
         "lines 231 to 234",
         r"p<0:\quad v^-=0\ \text{can begin an impact}",
-        "Rigid impact with Coulomb friction, A, B, C, μ constant: for every p < 0 and every u > 0 there is an impact "
-        "with v = 0 at its start: v < 0 in slip until u = 0, and then v rises in stick until it is 0 again at the end "
-        "of compression",
+        "Rigid impact with Coulomb friction, A, B, C, μ constant, AC - B² > 0 (1-mass-matrix): for every p < 0 and "
+        "every u > 0 there is an impact with v = 0 at its start: v < 0 in slip until u = 0, and then v rises in "
+        "stick until it is 0 again at the end of compression",
         Rung.EXACT.check(
             "along the normal impulse: dv/dP = p < 0 and du/dP = B - μA < 0 in slip; in stick (|B| < μA) "
             "A dv/dP = AC - B² > 0",
@@ -248,10 +248,10 @@ def _sizes() -> Entry:
         "1-impact-sizes",
         "lines 369 to 374",
         r"p<0:\quad u:\ u\to0,\qquad v^+=rBu/A\ \text{or}\ (v^+)^2=-pr^2Bu^2/(A(\mu A-B))",
-        "A rigid impact without collision (v = 0, u > 0 and p < 0 at first, A, B, C, μ constant, a coefficient of "
-        "restitution r > 0) stops the slip, and v falls to p u/(μA - B), which tends to 0 with p; at its end v is r B "
-        "u/A by Poisson's law, more than r C u/(μA) for every p < 0, and by the energetic law v² is "
-        "-p r² B u²/(A (μA - B)), which tends to 0 with p",
+        "A rigid impact without collision (v = 0, u > 0 and p < 0 at first, A, B, C, μ constant, AC - B² > 0, a "
+        "coefficient of restitution r > 0) stops the slip, and v falls to p u/(μA - B), which tends to 0 with p; at "
+        "its end v is r B u/A by Poisson's law, more than r C u/(μA) for every p < 0, and by the energetic law v² is "
+        "-p r² B u²/(A (μA - B)), which tends to 0 with p; both limits p → 0 where AC - B² stays away from 0",
         Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), sizes_near_the_g_spot()]),
@@ -284,8 +284,8 @@ def _laws() -> Entry:
         "lines 209, 369 to 374",
         r"p\to0:\quad(v^+)^2\text{ by the energetic law over }(v^+)^2\text{ by Poisson's law}\to0",
         "For a rigid impact without collision, A, B, C, μ constant, p < 0, the energetic law of restitution and "
-        "Poisson's, both with the same coefficient r > 0, differ in the limit p → 0: the quotient of the two squares "
-        "of v at the end tends to 0",
+        "Poisson's, both with the same coefficient r > 0, differ in the limit p → 0 where AC - B² stays away from 0: "
+        "the quotient of the two squares of v at the end tends to 0",
         Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), quotient_has_the_limit()]),

@@ -104,10 +104,10 @@ def _open_sets() -> Entry:
         "lines 53 to 54",
         r"\text{approached in finite time by an open set of initial conditions}",
         "For every mechanism with analytic functions and every G-spot of it in Case I, II or III at which p, b, y, v "
-        "are independent and slip is positive: each neighbourhood of the G-spot has a set of states with p > 0 and "
-        "b < 0, open among those with y = v = 0, from which rigid slip stays in the neighbourhood, with a positive "
-        "force, and tends to a G-spot in it in finite time; λ_N tends to ∞ in Cases I and II, and to α_2/(α_3 - α_1) "
-        "at this G-spot in Case III",
+        "are independent and slip is positive: each neighbourhood of the G-spot has a non-empty set of states with p "
+        "> 0 and b < 0, open among those with y = v = 0, from which rigid slip stays in the neighbourhood, with a "
+        "positive force, and tends to a G-spot in it in finite time; λ_N tends to ∞ in Cases I and II, and to "
+        "α_2/(α_3 - α_1) at this G-spot in Case III",
         first.carries(
             Rung.EXACT.check(
                 "section 2, corollary: by the integrals of p and |b| the state moves little; in each Case α_1, α_3 < 0 "

@@ -138,9 +138,9 @@ def _outcomes() -> Entry:
         "1-three-outcomes",
         "lines 261 to 265",
         r"\text{from slip there are three outcomes: it leaves, it lifts off, it reaches the G-spot}",
-        "Rigid slip with constant α's, α_1 α_3 not 0: from p > 0, b < 0 the state leaves every bounded set with "
-        "b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot, which it does in a finite time t; in Cases I, "
-        "II and III it does not leave",
+        "Rigid slip with constant α's, α_1 α_3 not 0: from p > 0, b < 0, as long as slip is positive, the state "
+        "leaves every bounded set with b < 0 < p, or reaches b = 0 with p > 0, or tends to the G-spot, which it does "
+        "in a finite time t; in Cases I, II and III it does not leave",
         Rung.EXACT.check(
             "the solutions for α_1 ≠ α_3 and for α_1 = α_3: each part tends to 0 or is unbounded, p > 0 for ever; t; "
             "two solutions for α_1 α_3 = 0",
@@ -157,7 +157,8 @@ def _outcomes() -> Entry:
             all_of([bounded_states_go_to_the_g_spot(), in_finite_time(), *map(is_stable, CASES)]),
         ),
         note="For α_1 α_3 = 0 there can be a fourth outcome: with α = (-1, -1, 0) p tends to 0 and b to b(0) - p(0); "
-        "with α = (0, -1, -1) p is constant and b tends to -p.",
+        "with α = (0, -1, -1) p is constant and b tends to -p. At b = 0 db/ds is α_2 p; where b has risen to 0, α_2 "
+        "> 0, so that b becomes positive while p > 0, and no force keeps contact: lift-off.",
     )
 
 
@@ -166,8 +167,9 @@ def _rescaled_time() -> Entry:
         "1-rescaled-time",
         "lines 1000 to 1003",
         r"\text{the system can only be defined for }p>0",
-        "In the time of eq. time_rescale a state with p > 0 has p > 0 for ever: the rescaled system says nothing "
-        "beyond the G-spot; its formulas are defined for p < 0 too, where that time runs backwards",
+        "With constant α's, in the time of eq. time_rescale a state with p > 0 has p > 0 for ever: the rescaled "
+        "system says nothing beyond the G-spot; its formulas are defined for p < 0 too, where that time runs "
+        "backwards",
         Rung.EXACT.check("Gspot1: the rate of p is a multiple of p, a polynomial", keeps_the_sign_of_p()),
         Rung.EXACT.check("p = p(0) e^(α_1 s) for every p(0): it has the sign of p(0)", p_is_an_exponential()),
     )
@@ -256,7 +258,8 @@ def _attracting() -> Entry:
             ),
         ),
         note="That the three Cases do: 1-case-I, 1-case-II, 1-case-III. From p < 0 < b, where slip is unstable, the "
-        "G-spot is reached with other signs too: for α = (1, 1, 2) from every state with b >= -p.",
+        "G-spot is reached with other signs too: for α = (1, 1, 2) from every state with b >= -p. Between the Cases "
+        "it attracts open sets too: for α_1 = α_3 < 0, α_2 <= 0, and for α_2 = 0, α_1, α_3 < 0.",
     )
 
 

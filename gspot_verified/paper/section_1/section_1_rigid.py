@@ -49,7 +49,7 @@ def _force() -> Entry:
         "1-force",
         "lines 168 to 170",
         r"\lambda_N=-b/p,\quad p=C-\mu B",
-        "Contact with positive slip is sustained (dv/dt = 0) for λ_N = -b/p, p = C - μ B, where this is positive",
+        "Contact with positive slip is sustained (dv/dt = 0) for λ_N = -b/p, p = C - μ B not 0, where this is positive",
         this.check("the normal acceleration with λ_T = -μ λ_N vanishes at this force", vanishes),
         this.check(
             "Newton's law with the mass matrix: the tangential acceleration drops out, and V = p λ_N", by_newton
@@ -81,8 +81,8 @@ def _rescaled() -> Entry:
         "1-rescaled",
         "eqs. Gspot1 and Gspot2",
         r"\frac{dp}{d\hat s}=\alpha_1p,\quad\frac{db}{d\hat s}=\alpha_2p+\alpha_3b",
-        "In rigid slip, in the time s with dt = p ds, p and b satisfy dp/ds = α_1 p and db/ds = α_2 p + α_3 b, for the "
-        "α's of Sec. 2",
+        "In rigid slip with p not 0, in the time s with dt = p ds, p and b satisfy dp/ds = α_1 p and db/ds = α_2 p + "
+        "α_3 b, for the α's of Sec. 2",
         this.check("p times gensys2 and gensys3 with p λ_N = -b", chain_rule),
         this.check("db/dp by gensys2 and gensys3 with λ_N as a symbol, b = -p λ_N", quotient),
     )

@@ -225,9 +225,10 @@ def _slope() -> Entry:
         "1-impact-slope",
         "lines 210 to 214 and 320 to 322",
         r"\frac{dv}{du}=\frac{p}{B-\mu A}",
-        "Rigid impact, forces other than those of contact left out: in positive slip dv/du = p/(B - μA), where A, B, "
-        "C, μ depend on the configuration and time alone and so are constant in the impact: a straight line whose "
-        "slope is proportional to p; B - μA is negative for p <= 0 and for small p > 0, where A p < AC - B²",
+        "Rigid impact, forces other than those of contact left out: in positive slip dv/du = p/(B - μA) where B is "
+        "not μA, for A, B, C, μ that depend on the configuration and time alone and so are constant in the impact: a "
+        "straight line whose slope is proportional to p; for AC - B² > 0 B - μA is negative for p <= 0 and for small "
+        "p > 0, where A p < AC - B²",
         Rung.EXACT.check("dv/dP over du/dP, P the normal impulse", all_of([slope_by_rates(), factor_is_negative()])),
         Rung.EXACT.check(
             "the changes of v and u by a normal impulse with the tangential one at the bound of friction",

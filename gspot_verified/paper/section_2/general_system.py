@@ -248,8 +248,9 @@ def _projected() -> Entry:
             one_coefficient(),
         ),
         Rung.POINTS.check("the rod that slides, in every state of this mechanism", one_coefficient_of_the_rod()),
-        note="That a and b are the parts without a force is how F is defined: the field for λ_T = λ_N = 0. Signs of A, "
-        "C and AC - B²: 1-mass-matrix.",
+        note="Every mass matrix is diagonal at one configuration, in coordinates that its eigenvectors make. That a "
+        "and b are the parts without a force is how F is defined: the field for λ_T = λ_N = 0. Signs of A, C and AC "
+        "- B²: 1-mass-matrix.",
     )
 
 

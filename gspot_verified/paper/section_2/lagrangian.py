@@ -176,7 +176,8 @@ def _lagrangian() -> Entry:
         "2-lagrangian",
         "eq:lagrangian1, eq:lagrangian2",
         r"\mathcal L_{G_T}x=\mathcal L_{G_N}x=\mathcal L_{G_T}y=\mathcal L_{G_N}y=0,\ \mathcal L_Gp=0",
-        "The extended example satisfies both relations, and L_{G_N} u = L_{G_T} v",
+        "For p other than 1, where its G_T is defined, the extended example satisfies both relations, and L_{G_N} u = "
+        "L_{G_T} v",
         this.check("Lie derivatives as polynomials, denominators cleared", _relations),
         this.check("first coefficients of power series along the fields, rational functions", _relations_by_flow),
         note=_UNDEFINED,
@@ -189,8 +190,8 @@ def _quantities() -> Entry:
         "2-quantities",
         "line 706",
         r"u=\xi_2,\ v=\xi_4,\ p=\xi_5,\ b=\xi_6,\ \alpha_1=\alpha_1^*+\chi\xi_6,\ \ldots",
-        "By the definitions of Sec. 2 the extended example has u = ξ_2, v = ξ_4, p = ξ_5, b = ξ_6, α_1 = α_1* + χ ξ_6, "
-        "α_2 = α_2* and α_3 = α_3*",
+        "By the definitions of Sec. 2, for p other than 1, the extended example has u = ξ_2, v = ξ_4, p = ξ_5, b = "
+        "ξ_6, α_1 = α_1* + χ ξ_6, α_2 = α_2* and α_3 = α_3*",
         this.check("Lie derivatives as polynomials, denominators cleared", _quantity_residuals),
         this.check("first coefficients of power series along the fields, rational functions", _quantities_by_flow),
         note=_UNDEFINED,

@@ -126,7 +126,7 @@ def _deformation() -> Entry:
         "lines 557 to 558",
         r"z=-\epsilon^2\lambda_N\to0",
         "Under a given constant force λ_N the deformation of the surface settles at z = -ε² λ_N like e^(-t/ε), and the "
-        "contact point at y = -2ε² λ_N: both tend to 0 as ε → 0, for every λ_N",
+        "contact point at y = -2ε² λ_N: both tend to 0 as ε → 0, for every λ_N > 0",
         Rung.EXACT.check(
             "eq. compl1: the deviation of z from -ε² λ_N decays, and what is left has a factor ε",
             all_of([settles_under_force(), vanish_with_epsilon()]),
@@ -171,7 +171,7 @@ def _compliant() -> Entry:
         "eqs. compliant1 to compliant3, compl1, compl2, lines 572 to 583",
         r"\epsilon\dot z=-z-\epsilon^2\lambda_N,\quad\lambda_N=\epsilon^{-2}(z-y)",
         "With k_1 = k_2 = 1/ε² and c = 1/ε eq. compliant1 is eq. compl1 for every λ_N, and eq. compliant2 is eq. "
-        "compl2 where y < z, for every ε > 0; elsewhere λ_N is 0 in both",
+        "compl2 where y < z, for every ε > 0; elsewhere both are printed as 0",
         this.check("the constants put in, times ε²", put_in),
         this.check("the rest and the rate of z under a force; where the force is 0, and its slope", by_rest_and_rate),
     )

@@ -212,7 +212,8 @@ def _consistent() -> Entry:
                 has_no_epsilon(),
             )
         ),
-        note="The number depends on p: 2-restitution-not-fixed.",
+        note="The coefficient depends on p: it is below 1 at every p, and tends to 1 as p → 0 and as p → ∞ (Theorems "
+        "Q1 and Q2 of the page with ρ = 1, ζ = sqrt(p)).",
     )
 
 
@@ -304,7 +305,8 @@ def _not_fixed() -> Entry:
         BOTH.carries(
             Rung.EXACT.check("Theorem Q3 for the smaller p, Theorem Q2 for the larger one", the_bounds_differ())
         ),
-        note="p = C - μB depends on the mechanism, on its configuration and on the direction of slip.",
+        note="p is C - μB in positive slip and C + μB in negative slip, and depends on the mechanism and its "
+        "configuration.",
     )
 
 

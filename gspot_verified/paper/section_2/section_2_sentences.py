@@ -263,7 +263,7 @@ def _coupling() -> Entry:
         corrected="χ couples b back to p. The tangential motion acts on the normal one by the sign of u alone (slip, "
         "stick, slip backwards), for χ = 0 too",
         note="With p in the place of x and u the sentence is right: the rate of p has no variable for χ = 0, and b for "
-        "χ other than 0, and p stands in the rate of v for every χ.",
+        "χ other than 0, and p stands in the rate of v for every χ where the share c is positive.",
     )
 
 
@@ -289,8 +289,8 @@ def _tangential() -> Entry:
         "2-tangential",
         "lines 612 to 617, 621 to 623 and 929 to 931, eq. udot",
         r"x\ \text{is a cyclic coordinate; no transition to stick without }u",
-        "x enters no equation of the extended example; in slip the equations for p, b, y, v, z, which for χ = 0 and "
-        "positive slip are those of the motivating example, have no u either: they say nothing of a stop",
+        "x enters no right-hand side of the extended example; in slip the equations for p, b, y, v, z, which for χ = "
+        "0 and positive slip are those of the motivating example, have no u either: they say nothing of a stop",
         Rung.EXACT.check(
             "eqs. xdot, udot, newex1 to newex5, derived by x and by u; with c = 1, χ = 0 eqs. modelsys1 to modelsys5",
             all_of([denied(one_of(normal)), slip_is_the_motivating_example()]),
@@ -395,15 +395,17 @@ def _signs() -> Entry:
         "2-signs-at-p-0",
         "lines 680 to 687",
         r"p\approx0:\quad p^->0,\quad k^+<0,\quad k^->0",
-        "Where p = 0, and so near it: the Painlevé parameter of negative slip is positive, p⁻ = 2C - p, and the "
-        "contact force of positive (negative) slip accelerates the contact point backwards (forwards), k⁺ < 0 < k⁻",
+        "Where p = 0 and AC - B² > 0, and so near it: the Painlevé parameter of negative slip is positive, p⁻ = 2C - "
+        "p, and the contact force of positive (negative) slip accelerates the contact point backwards (forwards), k⁺ "
+        "< 0 < k⁻",
         Rung.EXACT.check(
             "p + p⁻ = 2C; B k⁺ = -(AC - B²) + A p; k⁻ = k⁺ + 2μA = B + μA with B = C/μ > 0",
             all_of([sums_to_twice_c(), forward_force_slows()]),
         ),
         Rung.EXACT.check("C = μB and A = (B² + D)/C put in, D = AC - B², all symbols positive", signs_at_p_0()),
-        note="A, C and AC - B² are positive: 1-mass-matrix. The paper says of p⁻ that it must be positive, and of the "
-        "accelerations that they typically have these signs; at p = 0 they always have.",
+        note="A, C and AC - B² are positive for independent gradients of the two contact coordinates (1-mass-matrix); "
+        "where they are dependent k⁺ is 0 at p = 0. The paper says of p⁻ that it must be positive, and of the "
+        "accelerations that they typically have these signs.",
     )
 
 

@@ -79,9 +79,10 @@ def _one_flight() -> Entry:
         "3-after-lift-off",
         "lines 914 to 918",
         r"\text{lift-off terminates shortly after the G-spot, with an impact of very low normal velocity}",
-        "Each simulated run of Case III that lifts off, at ε = 10^-3 and 10^-9, has exactly one flight, from a "
-        "lift-off where y < 0, v > |y|/ε and 0 < b < 13 ε^(2/3) to a touch-down, less than 45 ε^(2/3) after the "
-        "G-spot, where 0 < -v < 300 ε^(4/3), and then takes an impact without collision: contact is not lost again",
+        "Each run of Case III from the starts of Figure 6 that lifts off, at ε = 10^-3 and 10^-9, has exactly one "
+        "flight, from a lift-off where y < 0, v > |y|/ε and 0 < b < 13 ε^(2/3) to a touch-down, less than 45 ε^(2/3) "
+        "after the G-spot, where 0 < -v < 300 ε^(4/3), and then takes an impact without collision: contact is not "
+        "lost again",
         Rung.BALLS.check(
             "proofs/flight.md: certified lift-off and touch-down; the state at touch-down lies in an invariant set in "
             "which λ_N > 0 for ever, λ_N and -v without bound",
@@ -93,9 +94,10 @@ def _one_flight() -> Entry:
             "contact is lost again",
             all_of(sides),
         ),
-        note="The last section of the paper leaves open whether contact is lost again, even infinitely often: in these "
-        "runs of the model system it is not. On the slow manifold this is proved for β = 3/2 and 5/2 and every "
-        f"ε <= 1/100 at once, for a lift-off that is late enough and has t <= {LATEST} (proofs/flight.md, section 5).",
+        note="The last section of the paper leaves open whether contact is lost again, even infinitely often: in "
+        "these runs of the model system it is not. On the slow manifold, α_1 = -1, α_2 < 0, this is proved for β = "
+        f"3/2 and 5/2 and every ε <= 1/100 at once, for a lift-off that is late enough and has t <= {LATEST} "
+        "(proofs/flight.md, section 5): τ >= 2 for β = 3/2, τ >= 5 for β = 5/2; by no check of this entry.",
     )
 
 

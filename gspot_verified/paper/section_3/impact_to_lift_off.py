@@ -177,12 +177,12 @@ def _impact_to_lift_off() -> Entry:
         "3-impact-to-lift-off",
         "lines 937 to 940",
         r"p,\ v\ \text{and}\ y\ \text{all begin to increase before the contact sticks: the impact will terminate}",
-        f"χ = {CHI}, ε = {EPSILON}, β = {BETA}, {starts}: an impact without collision begins and ends in lift-off, in "
-        f"slip. Contact lasts from the start through the G-spot, where {b_least} < b < 0, {v_least} < v < 0 and 0 < "
-        f"λ_N < {most}; from there on p, v and y fall first and λ_N grows, to more than {PEAK}; p, v, λ_N and y turn "
-        "in this order, each once up to lift-off: p, v and y rise then. The slip velocity that is lost up to lift-off "
-        f"({losses}) does not depend on u(0), where u(0) is larger than it: lift-off can come at every share of the "
-        "slip velocity at the G-spot strictly between none and all of it",
+        f"χ = {CHI}, ε = {EPSILON}, β = {BETA}, {starts}: an impact without collision begins and ends in lift-off, "
+        f"in slip. Contact lasts from the start until p = 0, where {b_least} < b < 0, {v_least} < v < 0 and 0 < λ_N "
+        f"< {most}, and beyond; from there on p, v and y fall first and λ_N grows, to more than {PEAK}; p, v, λ_N "
+        "and y turn in this order, each once up to lift-off: p, v and y rise then. The slip velocity that is lost up "
+        f"to lift-off ({losses}) does not depend on u(0), where u(0) is larger than it: lift-off can come at every "
+        "share of the slip velocity at p = 0 strictly between none and all of it",
         Rung.BALLS.check(
             "certified runs by the validated integrator, lift-off the only event: the signs of the rates of p, v, y "
             "and λ_N in boxes that enclose all of the motion in slip; eqs. udot, newex1 to newex5 in slip, derived by "

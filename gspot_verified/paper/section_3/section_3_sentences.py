@@ -13,6 +13,8 @@ from flint import fmpq, fmpq_mpoly, fmpz_poly
 
 from gspot_verified.compliant.model.normal_form import CompliantModel, CompliantState, compliant_model, deviation
 from gspot_verified.compliant.motion.first_zero import first_zero
+from gspot_verified.compliant.motion.run import events
+from gspot_verified.compliant.motion.touch_down import NEVER
 from gspot_verified.compliant.side.side_rule import side_rule
 from gspot_verified.numbers.balls import sign_of
 from gspot_verified.numbers.short_text import decimal_text
@@ -101,8 +103,9 @@ def _oscillations() -> Entry:
         "3-oscillations",
         "lines 742 to 746",
         r"\text{damped oscillations, their frequency diverges to }\infty\text{ as }\epsilon\to0",
-        "At every fixed p > 0 and b the contact of the model system has motions e^(r t/ε) with a pair r of complex "
-        "rates, -1/2 < Re r < 0, that do not depend on ε: damped oscillations with frequency |Im r|/ε",
+        "At every fixed p > 0 and b < 0, as long as contact lasts, the contact of the model system has motions e^(r "
+        "t/ε) about its rest with a pair r of complex rates, -1/2 < Re r < 0, that do not depend on ε: damped "
+        "oscillations with frequency |Im r|/ε",
         Rung.EXACT.check(
             "the characteristic polynomial r³ + 2r² + p r + p: its discriminant is negative for every p > 0, its real "
             "root lies in (-2, -1), the sum of the roots is -2",
@@ -111,7 +114,7 @@ def _oscillations() -> Entry:
         Rung.POINTS.check(
             "the roots at p = 1/100, 1/2, 2", all_of([rates_of_the_contact(), *(damped_and_oscillating(p) for p in AT)])
         ),
-        note="At p = 0 the rates are 0, 0 and -2: the oscillations are slowest there (Sec. 4, inner scale).",
+        note="At p = 0 the rates are 0, 0 and -2: as p → 0 the frequency tends to 0 (Sec. 4, inner scale).",
     )
 
 
@@ -152,8 +155,8 @@ def _separatrix() -> Entry:
             "K has one sign on one side and the opposite one on the other at ε = 10^-3, 10^-6, 10^-12",
             all_of(sides_differ(beta) for beta in SEPARATED),
         ),
-        note="For data off the slow manifold the separatrix is K = 0, which holds states near the trivial solution "
-        "that are not on it (proofs/first_integrals.md).",
+        note="Off the slow manifold the sign of K decides as long as contact lasts: for K < 0 it is lost, for K > 0 "
+        "λ_N → +∞; K = 0 holds other states too than the trivial solution (proofs/first_integrals.md).",
     )
 
 
@@ -205,15 +208,22 @@ def lost_after(nu: fmpq, epsilon: fmpq) -> bool | None:
     return None if found.lower is None else found.lower > 0
 
 
+def flies_for_ever(nu: fmpq, epsilon: fmpq) -> bool | None:
+    """Whether contact is lost once, and the flight never ends."""
+    run = events(*case_ii(nu, epsilon), digits=6)
+    return True if run.verdict.outcome is Outcome.PROVED and run.verdict.statement == NEVER else None
+
+
 def _passes_and_lifts_off(epsilon: fmpq) -> Check:
     found = first_zero(*case_ii(NEAR, epsilon), digits=6)
     return Rung.BALLS.check(
-        f"proofs/force_range.md: the first zero of λ_N for β = {CASE_II['beta']}, α_1 = -1, α_2 = {CASE_II['alpha_2']}"
-        f", ν = {NEAR}, ε = {epsilon}",
-        False if lost_after(NEAR, epsilon) else None,
+        "proofs/force_range.md: the first zero of λ_N; proofs/flight.md, Theorem F1 (b): the flight; for β = "
+        f"{{CASE_II['beta']}}, α_1 = -1, α_2 = {{CASE_II['alpha_2']}}, ν = {NEAR}, ε = {epsilon}",
+        False if all_of([lost_after(NEAR, epsilon), flies_for_ever(NEAR, epsilon)]) else None,
         ""
         if found.lower is None or found.upper is None
-        else f"contact lasts until a t in {decimal_text(found.lower, found.upper)} after p = 0, and is lost",
+        else f"contact lasts until a t in {decimal_text(found.lower, found.upper)} after p = 0, and is lost for "
+        "ever: no impact follows",
     )
 
 

@@ -61,7 +61,8 @@ def _smoothness(beta: fmpq) -> Entry:
         lines,
         rf"\beta={float(beta.p) / float(beta.q)}:\ \text{{{word} appears to diverge}}",
         f"β = {beta}, runs of fig. varsim1{other}, in the scale ε² of y: at the G-spot {word} has size "
-        f"ε^(-1/3), and diverges as ε → 0{lower} (the trivial solution taken off)",
+        f"ε^(-1/3), and diverges as ε → 0{lower} (the trivial solution taken off, with the corrected sign of its y: "
+        "2-trivial-zy)",
         Rung.BALLS.check(
             f"proofs/scaling_exponents.md, Theorem E3: the exponent of each derivative over ε², every ε <= {LARGEST}",
             all_of(

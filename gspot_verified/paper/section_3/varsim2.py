@@ -192,7 +192,7 @@ def _caption() -> Entry:
         "lines 951 to 952",
         r"\text{liftoff occurs without slip-stick transition in one out of four cases}",
         f"Of the four runs with χ = 0 or 1, ν = 1/4 or 4, ε = {EPSILON}, β = {BETA} and u(0) = {FIRST_SLIP} there "
-        "is one in which the contact lifts off up to t = 1 and has not stuck before",
+        "is exactly one in which the contact lifts off up to t = 1 and has not stuck before",
         Rung.BALLS.check(
             "the certified runs, counted", as_many(len(found)), ", ".join(f"χ = {chi}, ν = {nu}" for chi, nu in found)
         ),

@@ -142,7 +142,8 @@ def _inner_slow() -> Entry:
         "4-inner-slow",
         "eqn:de_inner",
         r"\alpha_3^*\hat b-\alpha_1^*s\hat b'-2\hat b'''=0",
-        "In the limit δ → 0 of the inner scale the deviation of b satisfies α_3 b - α_1 s b' - 2 b''' = 0",
+        "In the limit δ → 0 of the inner scale, once z has come to z = y/2 in the fast time s/δ, the deviation of b "
+        "satisfies α_3 b - α_1 s b' - 2 b''' = 0",
         this.check(
             "eq. modelSysDevInner at δ = 0",
             lambda parts: [ALGEBRA.coefficient_of(inner, "delta", 0) - parts["equation"]],
@@ -193,7 +194,7 @@ def _theta() -> Entry:
         "4-theta",
         "eq:hypergeomeqn, line 1176",
         r"\theta'''-\tau\theta'+\beta\theta=0,\quad \tau=\kappa s,\ \kappa=(-\alpha_1^*/2)^{1/3}>0",
-        "τ = κ s turns eq. de_inner into θ''' - τ θ' + β θ = 0 with β = α_3/α_1, and κ > 0 for α_1 < 0",
+        "τ = κ s turns eq. de_inner into θ''' - τ θ' + β θ = 0 with β = α_3/α_1, α_1 not 0, and κ > 0 for α_1 < 0",
         with_direction(this.check("chain rule; the quotient of both sides is α_1; sign of κ³", chain_rule)),
         with_direction(
             this.check("both operators on 1, s, ..., s⁴, which determine an operator of order 3; sign of κ³", monomials)
@@ -234,8 +235,8 @@ def _scaling() -> Entry:
         "eq:inner_scaling (y, z, λ_N)",
         r"\delta^2\alpha_3^*\hat y/\epsilon^2=2\hat b',\ \delta^2\alpha_3^*\hat z/\epsilon^2=\hat b',\ "
         r"\delta^2\alpha_3^*\hat\lambda_N=-\hat b'",
-        "On the inner scale, at leading order in δ, the deviations of y, z and λ_N follow from that of b: δ² α_3 y/ε² "
-        "= 2 b', δ² α_3 z/ε² = b' and δ² α_3 λ_N = -b'",
+        "On the inner scale, at leading order in δ, the deviations of y, z and λ_N, as in 4-deviation-recover, "
+        "follow from that of b: δ² α_3 y/ε² = 2 b', δ² α_3 z/ε² = b' and δ² α_3 λ_N = -b'",
         this.check(
             "modelSysDevRecoverY, modelSysDevRecoverZ, modelSysDevRecoverLN with t = δ² s, ε = δ³: lowest power of δ",
             recovered,

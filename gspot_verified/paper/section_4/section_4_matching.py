@@ -160,7 +160,7 @@ def _matching_middle() -> Entry:
         "4-matching-middle",
         "eq:bhat_inner, line 1227",
         r"C_1\kappa^{-\beta}\epsilon^{2\beta/3}(-\kappa s)^\beta=C_1(-\epsilon^{2/3}s)=C_1(-t)^\beta",
-        "The third form in eq. bhat_inner is C_1 (-ε^(2/3) s), without an exponent",
+        "C_1 κ^(-β) ε^(2β/3) (-κ s)^β is C_1 (-ε^(2/3) s), without an exponent, and this is C_1 (-t)^β",
         this.check(
             "against the form on its left: the exponents of κ, ε and -s, β a symbol",
             left,
@@ -172,7 +172,7 @@ def _matching_middle() -> Entry:
             fault="there -ε^(2/3) s = -t has the exponent β; in the printed form it has 1",
         ),
         corrected="C_1 (-ε^(2/3) s)^β",
-        note="The form as printed is right only at β = 1.",
+        note="For all s the form as printed is right only at β = 1, or for C_1 = 0.",
     )
 
 
@@ -212,8 +212,9 @@ def _exponents() -> Entry:
         "lines 1235 to 1239",
         r"\hat b,\hat y,\hat v,\hat z,\hat\lambda_N=O(\epsilon^{2\beta/3}),O(\epsilon^{(2\beta+4)/3}),"
         r"O(\epsilon^{(2\beta+2)/3}),O(\epsilon^{(2\beta+4)/3}),O(\epsilon^{(2\beta-2)/3})",
-        "For s = O(1) and every β the deviations of b, y, v, z and λ_N are, at leading order, at most of the sizes "
-        "ε^(2β/3), ε^((2β+4)/3), ε^((2β+2)/3), ε^((2β+4)/3) and ε^((2β-2)/3)",
+        "For s = O(1) and every β > 0 the deviations of b, y, v, z and λ_N of the matched inner solution, as in "
+        "4-deviation-recover, are, at leading order, at most of the sizes ε^(2β/3), ε^((2β+4)/3), ε^((2β+2)/3), "
+        "ε^((2β+4)/3) and ε^((2β-2)/3)",
         this.check(
             "bhat_inner, and the lowest power of δ in modelSysDevRecoverY to modelSysDevRecoverLN, inner scale", lowest
         ),

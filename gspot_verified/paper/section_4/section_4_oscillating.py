@@ -137,10 +137,11 @@ def _behaves_like() -> Entry:
         Page(_PAGE, (airy_solves, airy_leading_term_cancels)).refutation(
             "section 1, second proof: a product of Airy functions at β = 1/2", at_half
         ),
-        corrected="for β > -1/2 not an integer: the only solution that is the sum of the first N terms of its power "
-        "series, that of h in eq. hdef times a constant, up to o((-τ)^(-β/2-3/4)), for 2N > β + 1/2: the only one "
-        "without e_r and e_i that is ~ (-τ)^β",
-        note="The first half of the sentence, that the coefficients of e_r and e_i must vanish, is what determines Θ.",
+        corrected="for β > -1/2 not an integer: the only solution that is the sum of the first N terms of the series "
+        "of 3^(1-β/3) Γ(1+β) h (eq. hdef) up to o((-τ)^(-β/2-3/4)), for 2N > β + 1/2: the only one without e_r and "
+        "e_i that is ~ (-τ)^β",
+        note="'Behaves like' is ~ in lines 1201 to 1203. The first half of the sentence, that the coefficients of "
+        "e_r and e_i must vanish, determines Θ together with it.",
     )
 
 

@@ -199,7 +199,7 @@ def _recover() -> Entry:
         "4-recover",
         "eqs. modelSysRecoverY to modelSysRecoverLN",
         r"\alpha_3^*y=\epsilon^2[\ldots],\ \ldots,\ \alpha_3^*\lambda_N=\alpha_2^*-\dot b",
-        "In contact the four formulas of lines 990 to 993 recover y, v, z, λ_N from b",
+        "In contact, for α_3 not 0, the four formulas of lines 990 to 993 recover y, v, z, λ_N from b",
         this.check(
             "put into modelsys2 to modelsys5, modulo the equation of line 984",
             lambda parts: _solve_the_system(parts, equation, "alpha2"),
@@ -228,7 +228,7 @@ def _deviation() -> Entry:
         "4-deviation",
         "eq:modelSysDev",
         r"\alpha_3^*\hat b-\alpha_1^*t\dot{\hat b}+\epsilon[\ldots]-\ldots=0",
-        "In contact the deviation of b from the trivial solution satisfies eq. modelSysDev",
+        "In contact, for α_1 ≠ α_3, the deviation of b from the trivial solution satisfies eq. modelSysDev",
         this.check(
             "the equation of line 984 with the trivial solution plus a deviation in the place of b",
             lambda parts: [around(whole, TRIVIAL, ALGEBRA.constant(1)) - ALGEBRA.substitute(parts["equation"], as_f)],
@@ -247,7 +247,9 @@ def _deviation_recover() -> Entry:
         "4-deviation-recover",
         "eqs. modelSysDevRecoverY to modelSysDevRecoverLN",
         r"\alpha_3^*\hat y=\ldots,\ \ldots,\ \alpha_3^*\hat\lambda_N=-\dot{\hat b}",
-        "In contact the four formulas of lines 1073 to 1076 recover the deviations of y, v, z, λ_N from that of b",
+        "In contact, for α_3 not 0, the four formulas of lines 1073 to 1076 recover the deviations of y, v, z, λ_N "
+        "from that of b; they are deviations from the trivial solution with the corrected z, y (2-trivial-zy) and "
+        "mean force (S-mean-force)",
         this.check(
             "put into the system without α_2, modulo modelSysDev",
             lambda parts: _solve_the_system(parts, equation, "0*t"),

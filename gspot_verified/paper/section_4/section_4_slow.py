@@ -49,7 +49,7 @@ def _beta() -> Entry:
         "1-beta",
         "line 380",
         r"\beta=\alpha_1/\alpha_3",
-        "The exponent β whose positive integers are the places of side-switching is α_1/α_3",
+        "The β of the Introduction, the exponent of the outer solution (-t)^β, is α_1/α_3",
         this.check(
             "the exponent of the outer solution (-t)^β of modelSysDev at ε = 0",
             outer,
@@ -58,9 +58,12 @@ def _beta() -> Entry:
         this.check(
             "the ratio of the eigenvalues of Gspot1, Gspot2, from modelsys with y = v = 0 and dt = p ds",
             rigid,
-            fault="the eigenvalue of b is α_3 and that of p is α_1: b grows like p^β with β = α_3/α_1",
+            fault="the eigenvalue of b is α_3 and that of p is α_1: the deviation of b from its line is a "
+            "multiple of p^β with β = α_3/α_1",
         ),
         corrected="β = α_3/α_1, as in eq. beta (line 758), Sec. 4 and Theorem 1",
+        note="In Case III α_1/α_3 lies between 0 and 1 and passes no positive integer. That the places of "
+        "side-switching are the integers of α_3/α_1: S-switching, S-side, 5-rule.",
     )
 
 
@@ -110,8 +113,9 @@ def _slow() -> Entry:
         "eq:example_outer, lines 1117 to 1136",
         r"\hat b=C_1(-t)^\beta,\ C_2t^\beta;\ \frac{\hat y}{\epsilon^2}=\frac{2\hat b}{\alpha_1^*t},\ \hat v=0,\ "
         r"\frac{\hat z}{\epsilon^2}=\frac{\hat b}{\alpha_1^*t},\ \hat\lambda_N=-\frac{\hat b}{\alpha_1^*t}",
-        "For t ≠ 0 the slow system, ε → 0, has the solutions b = C_1 (-t)^β and C_2 t^β, β = α_3/α_1, and no others; "
-        "on them y/ε² is 2b/(α_1 t), v/ε is 0, z/ε² is b/(α_1 t) and λ_N is -b/(α_1 t)",
+        "For t ≠ 0 and α_1 not 0 the slow system, ε → 0, has the solutions b = C_1 (-t)^β and C_2 t^β, β = α_3/α_1, "
+        "and no others; on them, of the deviations as in 4-deviation-recover, y/ε² is 2b/(α_1 t), v/ε is 0, z/ε² is "
+        "b/(α_1 t) and λ_N is -b/(α_1 t)",
         this.check(
             "modelSysDev and modelSysDevRecoverY to modelSysDevRecoverLN at leading order in ε; t b' = β b", limits
         ),

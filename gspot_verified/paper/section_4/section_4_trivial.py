@@ -117,7 +117,7 @@ def _trivial_zy() -> Entry:
         "2-trivial-zy",
         "eq:modelSysDistZY",
         r"\bar z=\frac{\bar y}2=-\epsilon^2\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}",
-        "The deformation of the trivial solution is z = y/2 = -ε² α_2/(α_1 - α_3)",
+        "For α_1 ≠ α_3 the deformation of the trivial solution is z = y/2 = -ε² α_2/(α_1 - α_3)",
         this.check(
             f"put into modelsys1 to modelsys5; {_WITH_C}",
             lambda parts: in_model_system({**parts, "p": _printed("p"), "b": _printed("b"), "v": _printed("v")}),
@@ -136,7 +136,7 @@ def _trivial_zy() -> Entry:
         ),
         corrected="z = y/2 = ε² α_2/(α_1 - α_3)",
         note="In the findings c is α_2/(α_1 - α_3). With the corrected sign λ_N = (z - y)/ε² is α_2/(α_3 - α_1), the "
-        "limit that Sec. 1 states for Case III. "
+        "limit that Sec. 1 states for Case III. For α_2 = 0 both forms are 0. "
         "The example of Section 5 has the right sign: z_0 = -2 for α = (-1, -1, -3/2).",
     )
 
@@ -158,8 +158,8 @@ def _in_contact() -> Entry:
         "2-trivial-contact",
         "lines 599 to 608",
         r"\text{assuming }y<z",
-        "In Cases II and III the trivial solution is in contact, y < z and λ_N > 0, at every t other "
-        "than 0 and every ε, for all α's of the Case",
+        "In Cases II and III the trivial solution, with the corrected z and y of 2-trivial-zy, is in contact, y < z "
+        "and λ_N > 0, at every t other than 0 and every ε, for all α's of the Case",
         claim.check_sign(
             "λ_N = -b/p with b and p of 2-trivial, for all values of the symbols",
             lambda forms: signed(forms, "-({b})/({p})".format(**line)),
@@ -189,7 +189,8 @@ def _trivial_in_case_i() -> Entry:
         "3-case-I-trivial",
         "lines 766 to 767",
         r"bp>0,\text{ implying }\lambda_N<0",
-        "In Case I the trivial solution has b p > 0 and λ_N < 0, for all α's of Case I, at every t other than 0",
+        "In Case I the trivial solution, with the corrected z and y of 2-trivial-zy, has b p > 0 and λ_N < 0, for "
+        "all α's of Case I, at every t other than 0",
         claim.check_sign("b p and λ_N = -b/p with b and p of 2-trivial, for all values of the symbols", by_the_line),
         claim.check_sign(
             "λ_N = (z - y)/ε² with the corrected z and y of 2-trivial-zy, and b p = -p² λ_N", by_the_deformation

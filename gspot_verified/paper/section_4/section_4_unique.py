@@ -195,7 +195,7 @@ def _smooth() -> Entry:
             "section 3, second proof: the power series of φ in t/ε, and Cauchy's estimates in ε", finding
         ),
         corrected="the only formal series in ε with smooth coefficients (4-unique), and the only solution analytic in "
-        "ε; smooth solutions differ from it by less than every power of ε",
+        "ε; smooth solutions differ from it by less than every power of ε, for t in a bounded set",
         note="φ solves modelSysDev with φ = 1, φ' = φ'' = φ''' = 0 at t = 0; c = α_2/(α_1 - α_3).",
     )
 

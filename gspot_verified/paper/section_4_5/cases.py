@@ -185,8 +185,8 @@ def _lift_off_side() -> Entry:
         "S-side",
         "line 1299 (Case III)",
         r"C_1/\Gamma(-\beta)<0",
-        "In Case III, β not an integer, at leading order, the contact lifts off when C_1/Γ(-β) < 0: "
-        "λ_N becomes negative for τ large, and stays positive there for the other sign",
+        "In Case III, β not an integer, at leading order with the corrected mean force (S-mean-force), the contact "
+        "lifts off when C_1/Γ(-β) < 0: λ_N becomes negative for τ large, and stays positive there for the other sign",
         SIGNS_RIGHT.carries(
             _claim("S-side").check_sign(
                 "τ → +∞: S-deviation-force with the leading form of dΘ/dτ over C_1/Γ(-β) is positive and grows without "
@@ -217,8 +217,9 @@ def _other_side() -> Entry:
         "S-iwc-case-III",
         "lines 1304 to 1305 (Case III)",
         r"\text{the other sign of }C_1\Gamma(-\beta):\ \text{strong evidence that an IWC occurs}",
-        "In Case III, β not an integer, C_1/Γ(-β) > 0, at leading order: on every half-line [τ_0, ∞) the contact force "
-        "λ_N is positive for all ε below an explicit ε_0",
+        "In Case III, β not an integer, C_1/Γ(-β) > 0, at leading order with the corrected mean force "
+        "(S-mean-force): on every half-line [τ_0, ∞) the contact force λ_N is positive for all ε below an explicit "
+        "ε_0",
         IWC.carries(
             _claim("S-iwc-case-III").check_sign(
                 "C_1 dΘ/dτ is bounded below on [τ_0, ∞), since it tends to infinity with the sign of "
@@ -297,8 +298,8 @@ def _switching() -> Entry:
         "S-switching",
         "line 1309",
         r"\Gamma(-\beta)\text{ changes sign at every positive integer}",
-        "Γ(-β), whose sign decides the side of lift-off at leading order (S-side), changes sign whenever β passes "
-        "through a positive integer",
+        "Γ(-β), whose sign decides the side of lift-off in Case III at leading order (S-side), changes sign whenever β "
+        "passes through a positive integer: for β > 0 it is positive for odd ⌊β⌋ and negative for even ⌊β⌋",
         _claim("S-switching").check_sign(
             "functional equation of Γ: the sign on (m, m + 1) is (-1)^(m + 1), by induction on m, the step for a "
             "symbol β (proofs/side_switching.md)",

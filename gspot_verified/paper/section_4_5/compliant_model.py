@@ -264,7 +264,8 @@ def _lift_off() -> Entry:
         "line 1299 (Case III)",
         r"C_1/\Gamma(-\beta)<0",
         "In Case III, β < 5 not an integer, C_1/Γ(-β) < 0, the contact force on the slow manifold of the compliant "
-        "model is smaller than at leading order at every τ and every ε: it lifts off, not later than at leading order",
+        "model is smaller than at leading order at every τ and every ε: from a start at which it is positive contact "
+        "is lost, not later than at leading order",
         MONOTONE.carries(
             _claim("C-lift-off").check_sign(
                 "Theorem C: the force minus that at leading order is a factor with the sign of C_1/Γ(-β) times an "
@@ -278,8 +279,10 @@ def _lift_off() -> Entry:
             all_of(answers),
             "; ".join(shown),
         ),
-        note='S-side without the words "at leading order". At these three β the two bounds make the law of S-growth '
-        "hold for the compliant model, since (η/8) τ_LO^(3/2) tends to 0.",
+        note="S-side without the words 'at leading order'. There is such a start for every small ε; for even ⌊β⌋ not "
+        "for every large one: at β = 9/2, α = (-1, -1, -9/2), C_1 = 1, ε = 20000 the force is negative at every τ. "
+        "At these three β the two bounds make the law of S-growth hold for the compliant model, since (η/8) "
+        "τ_LO^(3/2) tends to 0.",
     )
 
 

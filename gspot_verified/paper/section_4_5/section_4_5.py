@@ -71,7 +71,8 @@ def _mean_force() -> Entry:
             lambda forms: [forms["force"] / balance],
             finding=f"λ = {in_greek(str(balance))}; {example}",
         ),
-        corrected=f"{in_greek(CORRECTED['S-mean-force']['force'])}, positive in Case III, as in Section 1 (Case III)",
+        corrected=f"{in_greek(CORRECTED['S-mean-force']['force'])}, for α_1 ≠ α_3, positive in Case III, as in "
+        "Section 1 (Case III)",
         note="The same sign error is in eq. modelSysDistZY.",
     )
 

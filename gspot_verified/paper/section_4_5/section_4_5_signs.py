@@ -189,8 +189,8 @@ def _gamma_intervals() -> Entry:
         ),
         corrected=f"Γ(-β) is negative on ({texts['negative from']}, {texts['negative to']}) and positive on "
         f"({texts['positive from']}, {texts['positive to']}), n = 1, 2, ...",
-        note="Both signs are exchanged, and the two printed intervals overlap. With the printed signs the paper's own "
-        "argument for 0 < β < 1 would fail.",
+        note="The sign printed for (2n-1, 2n) is wrong; the other interval is too long, and overlaps it. With the "
+        "printed signs the paper's own argument for 0 < β < 1 would fail.",
     )
 
 

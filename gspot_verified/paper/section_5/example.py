@@ -212,8 +212,8 @@ def _trivial() -> Entry:
         "5-example-trivial",
         "lines 1885 to 1886",
         r"\chi=0:\ \bar p=\alpha_1^*t,\ \bar b=\frac{\alpha_2^*}{\alpha_1^*-\alpha_3^*}\alpha_1^*t,\ \bar v=0",
-        "For χ = 0 the printed expansions of the example are the trivial solution, with the corrected z and y of "
-        "2-trivial-zy",
+        "For χ = 0 the printed expansions of the example are, through their printed orders, the trivial solution, "
+        "with the corrected z and y of 2-trivial-zy",
         Rung.EXACT.check(
             "the five printed series with χ = 0, in t and ε, against the formulas of the trivial solution",
             is_the_trivial_solution(),

@@ -113,8 +113,9 @@ def _ansatz() -> Entry:
         "5-ansatz",
         "lines 2013 to 2016",
         r"-r\xi_0-G^*\lambda_0,\ -(r+1)p_0-{\alpha_1}_\xi^*\xi_0,\ \ldots",
-        "For every exponent r > 0 the ansatz in powers of -t satisfies the slow equations at leading order exactly "
-        "when its coefficients satisfy the four printed equations",
+        "Where the functions of ξ and the distinguished trajectory at ε = 0 have Taylor terms at the G-spot, its p "
+        "with the slope α_1*, for every exponent r > 0 the ansatz in powers of -t satisfies the slow equations at "
+        "leading order exactly when its coefficients satisfy the four printed equations",
         this.check(
             "the ansatz in the slow equations with Taylor terms: what else there is has a higher order", general
         ),
@@ -155,7 +156,8 @@ def _solution() -> Entry:
         "5-ansatz-solution",
         "lines 2019 to 2023, eq:outerb_gen",
         r"r=\beta,\quad \xi_0=-\frac{G^*}{\alpha_3^*}b_0,\quad \lambda_0=\frac{b_0}{\alpha_1^*}",
-        "With b_0 not 0 the exponent of the ansatz is β, and ξ_0 = -G b_0/α_3, λ_0 = b_0/α_1, at the G-spot",
+        "For α_1*, α_3* not 0, with b_0 not 0, the exponent of the ansatz is β, and ξ_0 = -G b_0/α_3, λ_0 = b_0/α_1, "
+        "at the G-spot",
         this.check("put into the leading-order equations; their determinant has the zero r = β only", equations),
         this.check("the slow subsystem with λ_N = -b/p: p b' = α_3 b, dξ/db = -G/α_3", slow_subsystem),
     )

@@ -47,7 +47,8 @@ def _count() -> Entry:
         "5-count",
         "lines 1434 to 1438",
         "m+1,\\ m+5,\\ 4",
-        "The boundary conditions are m + 1 for m + 5 differential equations, so that four are left, for every m >= 4",
+        "As a count, the boundary conditions are m + 1 for m + 5 differential equations, so that four are left, for "
+        "every m >= 4",
         this.check("the numbers of scalar equations, m as a symbol", for_every_m),
         this.check("the extended example, m = 6, counted", in_the_example, Rung.POINTS),
     )

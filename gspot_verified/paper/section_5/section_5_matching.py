@@ -94,7 +94,8 @@ def _bpert_v() -> Entry:
         ),
         corrected="v is that of the distinguished trajectory plus ε^(2(β-1)/3) v\u0302: no ε^(4/3) = δ⁴, which belongs "
         "to the unscaled v",
-        note="The other three lines are consistent; a bracket without a partner in two of them: 5-brackets.",
+        note="The lines of b and y are consistent. That of p leaves out a deviation that is smaller by ε^(2/3) than "
+        "the others, with s = 0 where p = 0 (eq. pbc). A bracket without a partner in two of them: 5-brackets.",
     )
 
 
@@ -143,11 +144,12 @@ def _perturbation() -> Entry:
 
     return SECTION.settled(
         "5-perturbation",
-        "lines 2031 to 2041, 2063 to 2071",
+        "lines 2031 to 2045, 2063 to 2071",
         r"\hat b'=\alpha_3^*\hat y/2,\ \hat y'=\hat v,\ \hat v'=\hat b-\alpha_1^*s\hat y/2;\quad "
         r"\hat b'''+\tfrac{\alpha_1^*}2s\hat b'-\tfrac{\alpha_3^*}2\hat b=0",
-        "For every β > 0 the perturbation satisfies the three printed equations, at leading order in ε, and the "
-        "elimination of y and v from them gives the printed equation of third order",
+        "For every β > 0 the perturbation satisfies the three printed equations, at leading order in ε, once z has "
+        "come to z = y/2 in the fast time s/δ, with p = 0 at s = 0 (eq. pbc), and the elimination of y and v from "
+        "them gives the printed equation of third order",
         this.check(
             "specialPP to specialL with the factor ε^(2(β-1)/3), that of p smaller by δ²: what else there is, the "
             "deviation of p too, has a higher order for every β > 0",
@@ -188,7 +190,7 @@ def _perturbation_theta() -> Entry:
         "5-perturbation-theta",
         "lines 2072 to 2078",
         r"\theta'''-\tau\theta'+\beta\theta=0,\quad\tau=\kappa s,\ \kappa=(-\alpha_1^*/2)^{1/3}",
-        "In τ = κ s the equation of third order of the perturbation, line 2070, becomes eq. hypergeomeqn",
+        "In τ = κ s, α_1* < 0, the equation of third order of the perturbation, line 2070, becomes eq. hypergeomeqn",
         this.check("chain rule", chain_rule),
         this.check("both operators on 1, s, ..., s⁴, which determine one of order 3", monomials),
     )

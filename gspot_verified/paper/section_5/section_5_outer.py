@@ -118,8 +118,9 @@ def _fast_system() -> Entry:
             equilibrium,
             fault="on it the printed right-hand side of v_o is -b, so that it is no equilibrium",
         ),
-        corrected="M (y_o, v_o, z_o) + (0, b, 0): the constant b is left out; M is right, and so are its eigenvalues",
-        note="As printed it holds for the deviations from the slow manifold, or for b = 0.",
+        corrected="M (y_o, v_o, z_o) + (0, b, 0): the constant b is left out; M is right, and so is its "
+        "characteristic polynomial",
+        note="As printed it holds for the deviations from the slow manifold, p not 0, or for b = 0.",
     )
 
 
@@ -142,7 +143,8 @@ def _fast_polynomial() -> Entry:
         "5-fast-polynomial",
         "lines 1949 to 1957",
         r"\det(\lambda I-M)=\lambda^3+2\lambda^2+p\lambda+p",
-        "The characteristic polynomial of M is λ³ + 2 λ² + p λ + p, the one of Section 4",
+        "The characteristic polynomial of M is λ³ + 2 λ² + p λ + p, the second factor of the one of Section 4, which "
+        "belongs to the fast system there",
         this.check(
             "determinant of λ I - M", lambda parts: [ALGEBRA.determinant(rows) - parts["polynomial"], *section_4(parts)]
         ),
@@ -210,8 +212,8 @@ def _slow_manifold() -> Entry:
         "5-slow-manifold",
         "lines 1968 to 1978",
         r"y_o=2b/p,\ v_o=0,\ z_o=b/p;\quad \dot\xi=F-Gb/p,\ \dot p=\alpha_1,\ \dot b=\alpha_2+\alpha_3b/p",
-        "In the limit ε → 0 the slow manifold of the outer system is y_o = 2b/p, v_o = 0, z_o = b/p, and the motion on "
-        "it is given by dξ/dt = F - G b/p, dp/dt = α_1 and db/dt = α_2 + α_3 b/p",
+        "In the limit ε → 0, for p other than 0, the slow manifold of the outer system is y_o = 2b/p, v_o = 0, "
+        "z_o = b/p, and the motion on it is given by dξ/dt = F - G b/p, dp/dt = α_1 and db/dt = α_2 + α_3 b/p",
         this.check("the outer system at ε = 0, times p; p by genSysP", balance),
         this.check(
             "Cramer's rule for the equilibrium, and λ_N = -b/p (eq. pain_par+) in specialX, specialPP and specialB",

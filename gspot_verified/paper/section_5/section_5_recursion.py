@@ -274,7 +274,7 @@ def _orders() -> Entry:
 
     return SECTION.settled(
         "5-orders",
-        "eqs. p_nprime, specialBn, specialYn, specialVn, specialZn, specialLn; line 1608",
+        "eqs. p_nprime, specialBn, specialYn, specialVn, specialZn, specialLn; line 1611",
         r"r_{b,n}={\alpha_2}_n-\sum_{k=0}^{n-1}{\alpha_3}_{n-k}\lambda_k,\ r_{v,n}=\sum_{k=0}^{n-1}p_{n-k}\lambda_k",
         "The terms of order δ^n of specialPP to specialL are p_nprime, specialBn, specialYn, specialVn, specialZn and "
         "specialLn, for every n, and p_0 is α_1* s",
@@ -368,7 +368,8 @@ def _monomial() -> Entry:
         ),
         this.check("s^k with k as a symbol", symbolic, fault="the term with s^(k-3) is 2 k (k-1) (k-2) s^(k-3)"),
         corrected="(k α_1 - α_3) s^k + 2k(k-1)(k-2) s^(k-3): the factor 2 of 2 b_n''' is missing",
-        note="The coefficient of s^k is right, and with it the conclusion: it is not 0 for β not an integer.",
+        note="The coefficient of s^k is right, and with it the conclusion: it is not 0 for α_1 not 0 and β not an "
+        "integer.",
     )
 
 
@@ -395,7 +396,7 @@ def _step_3() -> Entry:
         "5-step-3",
         "lines 1704 to 1707",
         r"\alpha_3^*y_n=2(b_n'-r_{b,n})-\alpha_3^*z_{n-1}',\ \ldots,\ \alpha_3^*\lambda_n=r_{b,n}-b_n',\ \ldots",
-        "The four formulas recover y_n, v_n, λ_n, z_n from b_n",
+        "For α_3* not 0 the four formulas recover y_n, v_n, λ_n, z_n from a b_n that satisfies third-order_b",
         this.check("on the general solution of specialBn to specialLn", solved),
         this.check("put into specialBn to specialLn, modulo third-order_b", equations),
     )

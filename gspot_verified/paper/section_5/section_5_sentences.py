@@ -121,7 +121,8 @@ def _kinds() -> Entry:
             "specialBn, specialYn and specialVn; in specialZn the derivative is that of z_(n-1), which is known",
         ),
         Rung.EXACT.check(
-            "the degree in d/ds of the determinant of the five equations",
+            "the degree in d/ds of the determinant of the five equations: with λ_n by specialLn, four equations that "
+            "give the derivatives of b_n, y_n, v_n, z_n would have the order four",
             mended(*map(counted_by_the_order, forms)),
             "the order is three, as that of third-order_b",
         ),
@@ -210,9 +211,9 @@ def _unique() -> Entry:
         "is no other such place near by",
         Page("krawczyk", (cofactors_invert,)).carries(
             Rung.EXACT.check(
-                "as many functions as components of ξ, and Y the inverse of the Jacobian at x_0 = ξ*, f(ξ*) = 0: "
-                "K = ξ* + (I - Y A)(X - ξ*), where I - Y A tends to 0 as the box X shrinks to ξ*; so K lies inside a "
-                "small X, which has one zero",
+                "as many functions as components of ξ, and Y the inverse of the Jacobian at x_0 = ξ*, f(ξ*) = 0: K = "
+                "ξ* + (I - Y A)(X - ξ*), where I - Y A tends to 0 as the cube X about x_0 shrinks to ξ*; so K lies "
+                "inside a small X, which has one zero",
                 as_many_as_components(),
             )
         ),
@@ -273,8 +274,8 @@ def _typesetting() -> Entry:
         "5-typesetting",
         SIGNS_AND_CLASSES,
         r":=\,=r_{b,n}(s),\quad P_\nu-3",
-        "r_{b,n} is defined by the sign that defines r_n; the terms (i) of Step 4 for n = 2ν + 1 are in the class of "
-        "Theorem 1",
+        "r_{b,n} is defined by the sign that defines r_n; the class that is printed for the terms (i) of Step 4 for "
+        "n = 2ν + 1 is the one that is printed in Theorem 1",
         *(held_against(SIGNS_AND_CLASSES, what, *places) for what, places in MISPRINTS.items()),
         corrected=":= r_{b,n}(s); P_{ν-3}",
     )
@@ -376,11 +377,11 @@ def _names() -> Entry:
         r"\text{slow manifold for }\epsilon=0,\quad\text{critical manifolds close to it}",
         "The manifold of ε = 0 is the slow manifold, and the invariant ones near by for ε > 0 are critical manifolds, "
         "in the words of the theory that is cited: a critical manifold consists of the equilibria of the fast system "
-        "at ε = 0, a slow one is invariant for ε > 0",
+        "at ε = 0, a slow one is locally invariant for ε > 0",
         Rung.EXACT.check(
             "the manifold of line 1969: the rates of the fast system on it, and the rate of 2b/p",
             mended(name_at_epsilon_0(said(MANIFOLDS, AT_EPSILON_0)), name_at_epsilon_0(NAMES["ε = 0"])),
-            "it consists of the equilibria at ε = 0, and is not invariant for ε > 0",
+            "it consists of the equilibria at ε = 0, and is in general not invariant for ε > 0",
         ),
         Rung.EXACT.check(
             "the manifolds near by: other equilibria would need a determinant 0 of the fast system",

@@ -171,9 +171,10 @@ def _side() -> Entry:
         "lines 2087 to 2092",
         r"\text{the same conditions (dTheta\_sign) determine whether lift-off or IWC occur}",
         f"The extended example in positive slip, χ = {COUPLING}, β = {BETA}, for every ε <= {LARGEST_DELTA**3} at "
-        f"once: all states within {WITHIN} ε^({2 * (BETA - 1) / 3}) of the expansion of order {ORDER} and the slow "
-        f"deviation with C_1 at t = -ε^(2/3), scaled, lose contact for C_1 = -1; for C_1 = 1, λ_N grows "
-        f"past {FORCE} times the mean force, with p < 0",
+        f"once: all states whose scaled ξ, p, b, y, v and λ_N + y/2 are within {WITHIN} ε^({2 * (BETA - 1) / 3}) of "
+        f"those of the expansion of order {ORDER} and the slow deviation with C_1, in which λ_N + y/2 does not "
+        f"deviate, at t = -ε^(2/3), lose contact for C_1 = -1; for C_1 = 1, λ_N grows past {FORCE} times the mean "
+        "force, with p < 0",
         Rung.BALLS.check(
             "proofs/uniform.md, Theorem U2: a tube around the expansion, then a cone",
             all_of(is_as_expected(amount) for amount in AMOUNTS),
@@ -184,8 +185,8 @@ def _side() -> Entry:
             f"{' and '.join(str((LARGEST_DELTA * part) ** 3) for part in SMALLER)}",
             all_of(float_runs_agree(amount) for amount in AMOUNTS),
         ),
-        note="At leading order in ε, for every β that is not an integer: S-side (β > 1) and S-iwc (β < 1). Contact may "
-        "be lost after such an impact, too.",
+        note="At leading order in ε: S-side, for every β > 1 that is not an integer; for 0 < β < 1 S-iwc has the "
+        "sign of dΘ/dτ alone. Contact may be lost after such an impact, too.",
     )
 
 

@@ -247,8 +247,8 @@ def _lemma_orders() -> Entry:
         "5-lemma-orders",
         "thm:expansion, first part",
         r"f_n=f_n(\xi_0,\ldots,\xi_{n-2}),\quad \partial f_n/\partial\xi_{n-2}=f_\xi(\xi^*)",
-        "For a function f in C^n, f_n depends on ξ_k with k <= n - 2 only, linearly on ξ_(n-2) with the coefficient "
-        "f_ξ(ξ*)",
+        "For a function f in C^n, f_n depends on ξ_k with k <= n - 2 only, and for n >= 2 linearly on ξ_(n-2) with "
+        "the coefficient f_ξ(ξ*)",
         Page("expansion", (scaling_is_that_of_xi,)).carries(
             this.check(
                 "section 1: ∂f_n/∂ξ_k = (f_ξ)_(n-2-k), and n - 2 - k is 0 at k = n - 2, negative beyond, for every n",
@@ -297,7 +297,8 @@ def _lemma() -> Entry:
         "5-lemma",
         "thm:expansion, second part",
         r"f_{2\nu}\in P_\nu,\quad f_{2\nu+1}\in P_{\nu-4}",
-        "If ξ_2k is in P_(k+1) and ξ_(2k+1) in P_(k-3), then f_2ν is in P_ν and f_(2ν+1) in P_(ν-4)",
+        "For f as in the first part: if ξ_2k is in P_(k+1) and ξ_(2k+1) in P_(k-3), then f_2ν is in P_ν and f_(2ν+1) "
+        "in P_(ν-4)",
         Rung.EXACT.check(
             "one more factor at a time, for every ν and both parities",
             unless(outside_by_induction(), lemma_by_induction()),

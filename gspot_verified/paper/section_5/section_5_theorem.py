@@ -35,7 +35,10 @@ KNOWN_BEFORE = {
     "equations": {"xi": 0, "p": 0, "b": 0, "y": 0, "v": 0, "z": 0, "lambda_n": 0, "z of delta z'": 1, "xi in f": 2},
     "conditions": {name: UNSCALED[name] for name in ("xi", "p", "b", "y", "v")},
 }
-"""Order m of the residual has a term of order m - this of the variable, and terms of lower orders."""
+"""Order m of the residual has a term of order m - this of the variable, and terms of lower orders.
+
+The conditions are specialInitialFirst to Jbc; pbc is 0 for the sums.
+"""
 
 
 def divisors() -> dict[str, fmpq_mpoly]:
@@ -153,9 +156,10 @@ def residual_begins(recursion: Recursion, terms: int) -> int:
 def conditions_begin(recursion: Recursion, terms: int) -> int:
     """The same for conditions pbc to Jbc at s = 0: ξ - ξ* holds p, b, y, v and w, with J = w."""
     orders = len(recursion.p) + max(UNSCALED.values())
-    rest = [[fmpq(0)] * orders for _ in range(5)]
+    rest = [[fmpq(0)] * orders for _ in range(6)]
     for n in range(terms):
-        for i, row in enumerate(rest):
+        rest[5][n] += explicit.plain(recursion.p[n])[0]
+        for i, row in enumerate(rest[:5]):
             row[n + UNSCALED["xi"]] += explicit.plain(recursion.xi[n][i])[0]
         for name, row in zip("pbyv", rest, strict=False):
             row[n + UNSCALED[name]] -= explicit.plain(getattr(recursion, name)[n])[0]
@@ -206,9 +210,9 @@ def _existence() -> Entry:
             all_of((explicit.equations_hold(r) and explicit.synchronised(r)) or None for r in found),
         ),
         note="Unique among polynomials: the paper's argument is that th:3 leaves no other smooth solution. For an "
-        "integer β > 0 the polynomial Θ(κ s, β) can be added to b_n where its degree occurs. Of the signs it is used "
-        "that α_1* and α_3* are not 0. The paper says of x and y (lines 434, 447) that they are smooth, and "
-        "of f in Lemma 2.",
+        "integer β > 0 the polynomial Θ(κ s, β), of degree β, can be added to b_n wherever there is a b_n; it is in "
+        "the space of Theorem 1 where that has s^β. Of the signs it is used that α_1* and α_3* are not 0. The paper "
+        "says of x and y (lines 434, 447) that they are smooth, and of f in Lemma 2.",
     )
 
 
@@ -221,8 +225,9 @@ def _orders() -> Entry:
         "and eqs. pbc to Jbc up to O(δ^(M+2))",
         Page("expansion", (dependence,)).carries(
             Rung.EXACT.check(
-                "section 3, orders: the orders below know terms of orders below M only, the stated ones know the term "
-                "of order M, for every M; a constant: proofs/residual.md",
+                "section 3, orders: for all but eq. pbc the orders below know terms of orders below M only, the "
+                "stated ones know the term of order M, for every M; eq. pbc has p~ without δ²: the sums leave "
+                "nothing of it, as each p_n(0) is 0; a constant: proofs/residual.md",
                 orders_by_dependence(),
             )
         ),

@@ -131,7 +131,7 @@ def _place() -> Entry:
         "6-G-spot",
         "lines 2155 to 2174",
         r"\cos\phi^*=3/5,\ \sin\phi^*=4/5,\ \dot\phi^*=-\sqrt{g/l},\ \psi^*=-2l/5,\ \dot\psi^*=\tfrac45\sqrt{gl}",
-        "With the printed m_2, μ, φ_0, k, c the printed point is a G-spot for all β, κ, m_1, l, g",
+        "With the printed m_2, μ, φ_0, k, c the printed point is a G-spot of positive slip for all β, κ, m_1, l, g",
         Rung.EXACT.check("p, b, v by Lie derivatives and y vanish there, all parameters as symbols", vanish(derived)),
         Rung.EXACT.check("p, b, v of Appendix B and y vanish there, all parameters as symbols", vanish(printed)),
         note="u* = -3/5 sqrt(g l): positive slip needs a belt that moves below that velocity. c_ψ < 0 for β > 18/7.",

@@ -107,7 +107,8 @@ def _relaxation() -> Entry:
         Rung.BALLS.check("proofs/approach.md: the path in rigid slip and its time", slips_for_a_tenth()),
         Rung.POINTS.check(f"all roots at p = {NEAR_P}", by_the_roots()),
         note="z alone relaxes to y/2 at fixed y like e^(-2t/ε), within 10^-5 (2-relaxation): what takes 10^-3 is the "
-        "oscillation of y, v and z about the slow manifold. The last clause has one check.",
+        "oscillation of y, v and z about the slow manifold. The last clause has one check. That the other two roots "
+        "are a pair is shown at p = 307/5000 alone.",
     )
 
 

@@ -16,12 +16,12 @@ from gspot_verified.paper.section_6.oscillator import ALGEBRA
 
 SECTION = Section("Section 6 and Appendix B")
 _SYMBOLS = ALGEBRA.symbols
-SOURCES = "lines 106 to 108, 121 to 122, 2096 to 2098"
+SOURCES = "lines 106 to 109, 121 to 122, 2096 to 2098"
 ELSEWHERE = {
-    "the Introduction": Place("line 108", r"first studied by Leine \{\\em et al\.\}\\/ \\cite\{(\w+)\}"),
+    "the Introduction": Place("line 109", r"first studied by Leine \{\\em et al\.\}\\/ \\cite\{(\w+)\}"),
     "the caption of Figure 1": Place("line 121", r"proposed by \\cite\{(Leine\w+)\}"),
 }
-HERE = Place("line 2097", r"oscillator proposed by \\cite\{(leine\w+)\}")
+HERE = Place("line 2098", r"oscillator proposed by \\cite\{(leine\w+)\}")
 """Who proposed the oscillator."""
 CURVES = "lines 2224 to 2225 and 2247 to 2250"
 IN_THE_CAPTION = {
@@ -61,9 +61,9 @@ def _attribution() -> Entry:
         "6-attribution",
         SOURCES,
         r"\text{a frictional impact oscillator proposed by [leine2008]}",
-        "One work is cited in lines 108, 121 and 2097 as that in which the oscillator was studied first, and proposed",
-        *(held_against(SOURCES, f"line 2097 and {where}", HERE, place) for where, place in ELSEWHERE.items()),
-        corrected="One work is cited in all three places; lines 108 and 121 name the one of 2002",
+        "One work is cited in lines 109, 121 and 2098 as that in which the oscillator was studied first, and proposed",
+        *(held_against(SOURCES, f"line 2098 and {where}", HERE, place) for where, place in ELSEWHERE.items()),
+        corrected="One work is cited in all three places; lines 109 and 121 name the one of 2002",
         note="By the keys of the citations: the source holds no bibliography.",
     )
 

@@ -146,10 +146,10 @@ def _fit() -> Entry:
         "6-theta-fit",
         "lines 2256 to 2259",
         r"\hat b\ \text{and the scaled}\ \Theta\ \text{fit each other very well for positive times}",
-        f"The oscillator in positive slip, for every ε <= {DELTA**3} at once: a deviation from the expansion of order "
-        f"{ORDER} that is the leading-order slow one with the C_1 of the second start, to 4 decimals, at t = {FIRST} "
-        f"ε^(2/3) has a b that differs by less than {100 * FIT} % from C_1 κ^-β ε^(2β/3) Θ(τ), at t/ε^(2/3) = "
-        f"{_places()}",
+        f"The oscillator in positive slip, for every ε <= {DELTA**3} at once: a deviation from the expansion of "
+        f"order {ORDER} that is the leading-order slow one with the C_1 of the second start, to 4 decimals, at t = "
+        f"{FIRST} ε^(2/3), λ_N + y/2 as in the expansion, has a b that differs by less than {100 * FIT} % from C_1 "
+        f"κ^-β ε^(2β/3) Θ(τ), at t/ε^(2/3) = {_places()}",
         Rung.BALLS.check("proofs/uniform.md, Theorem U1: the deviation is followed, with its error", fits(), widest()),
         Rung.POINTS.check(
             f"a float run of the second start at ε = {EPSILON} ({FLOATS[0]}), up to t = {approximate(FLOAT_UNTIL)}: "

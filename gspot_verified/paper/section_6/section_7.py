@@ -94,8 +94,9 @@ def _again() -> Entry:
         "7-lift-off-again",
         "lines 2287 to 2291",
         r"\text{would this impact again lead to further lift off?}",
-        f"The extended system of fig. varsim2 with β = {BETA}, ν = {NU}, u(0) = 70 loses contact again after its first "
-        f"flight. Its events, but for impacts without collision, are: {'; '.join(map(_told, RUNS))}",
+        f"For {len(RUNS)} pairs of χ and ε the extended system of fig. varsim2 with β = {BETA}, ν = {NU}, u(0) = 70 "
+        "loses contact again after its first flight. Its events, but for impacts without collision, are: "
+        f"{'; '.join(map(_told, RUNS))}",
         Rung.BALLS.check(
             "certified runs of the extended system by the validated integrator",
             all_of(happens(case) for case in RUNS),

@@ -16,7 +16,7 @@ TEETH: Teeth = {
         NotApplicable("hidden factor", _SIGN),
         Bite("hypothesis", ledger, "BETA", lambda _: fmpq(1, 2)),
         Bite("hypothesis", ledger, "BETA", lambda _: fmpq(9, 2)),
-        Bite("hypothesis", ledger.FORCE, "printed", lambda _: ledger.FORCE["corrected"]),
+        Bite("hypothesis", ledger.FORCE, "zero", lambda honest: -honest),
         NotApplicable("order", _SIGN),
     ),
 }
