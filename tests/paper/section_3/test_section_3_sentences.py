@@ -186,6 +186,14 @@ def test_lift_off_after_the_g_spot(monkeypatch: pytest.MonkeyPatch, lower: fmpq 
     assert ledger._passes_and_lifts_off(fmpq(1, 1000)).agrees is (False if answer else None)
 
 
+def test_a_flight_that_ends_refutes_no_impact(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Lost contact is no end of it: an impact can follow a touch-down."""
+    assert ledger.flies_for_ever(ledger.NEAR, fmpq(1, 1000)) is True
+    assert ledger.flies_for_ever(fmpq(101, 100), fmpq(1, 1000)) is None
+    monkeypatch.setattr(ledger, "flies_for_ever", lambda *_: None)
+    assert ledger._passes_and_lifts_off(fmpq(1, 1000)).agrees is None
+
+
 @pytest.mark.parametrize(
     ("name", "text"),
     [

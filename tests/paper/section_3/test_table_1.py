@@ -197,6 +197,21 @@ def test_without_a_slope_no_other_number_is_named(monkeypatch: pytest.MonkeyPatc
     assert entry.verdict.outcome is Outcome.UNDECIDED
 
 
+def test_one_exponent_of_y_is_by_the_printed_sign_of_the_trivial_solution(monkeypatch: pytest.MonkeyPatch) -> None:
+    """y less eq. (29) as printed has the slope 1.6538 at β = 1/2; at the other β it has not the printed one."""
+    printed = [ledger.slope_with_the_printed_y(beta, ledger.DECADES) for beta in BETAS]
+    agrees = [
+        ledger.is_the_number(ledger.MEASURED["y"][beta], slope) for beta, slope in zip(BETAS, printed, strict=True)
+    ]
+    assert agrees == [True, False, False]
+    assert [ledger.decimals(slope) for slope in printed if slope is not None] == ["1.6538", "2.0055", "1.9999"]
+    corrected = ledger.ENTRIES["3-table-1-y-1_2"]().corrected
+    assert "1.6538 is the slope over these of y less eq. (29) as printed" in corrected
+    honest = ledger.deviations
+    monkeypatch.setattr(ledger, "deviations", lambda *of: {**honest(*of), "y": 2 * honest(*of)["y"]})
+    assert ledger._with_the_printed_y(BETAS[0]) == ""
+
+
 def test_every_measured_number_has_its_entry_and_its_note() -> None:
     missing = {(name, beta) for name in ledger.MEASURED for beta in BETAS} - set(ledger.SERIES)
     assert missing == {("y", BETAS[0])}
@@ -204,7 +219,7 @@ def test_every_measured_number_has_its_entry_and_its_note() -> None:
         for beta in BETAS:
             assert (ledger.identifier(name, beta) in ledger.ENTRIES) is True
             note = ledger._notes(name, beta)
-            assert ("vanishes twice" in note) is ((name, beta) == ("t", BETAS[1]))
+            assert ("before and after the G-spot" in note) is ((name, beta) == ("t", BETAS[1]))
             assert ("Theorem E3" in note) is ("neighbours 1 % apart" in note) is ((name, beta) in ledger.NONE_BELOW)
 
 

@@ -11,9 +11,11 @@ import mpmath
 import pytest
 from flint import acb, arb, fmpq
 
+from gspot_verified.compliant.contact.least_value import least_value
 from gspot_verified.compliant.contact.lower_polynomial import Term, lower_terms
 from gspot_verified.compliant.contact.threshold import slow_force
 from gspot_verified.compliant.slow.epsilon_series import series_coefficients
+from gspot_verified.compliant.slow.profile import Profile
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.balls import sign_of
@@ -193,3 +195,18 @@ def test_no_more_is_said_of_epsilon_0_than_was_found() -> None:
     assert said == {"3/2": "0.1788", "5/2": "0.8948", "7/2": "0.01289"}
     for beta, most in (("3/2", "0.17882126"), ("5/2", "0.89488137"), ("7/2", "0.012899083")):
         assert Fraction(said[beta]) < Fraction(most)
+
+
+def test_a_start_in_contact_is_needed_for_a_lift_off() -> None:
+    """The note of C-lift-off: with C_1 = 1, β = 9/2 the force is negative at every τ for a large ε."""
+    force, epsilon, start = contact_force(fmpq(9, 2), c1=fmpq(1)), fmpq(20000), fmpq(-50)
+    profile = Profile.of(force, epsilon)
+    assert not force.takes_impact
+    # f^(4) > 0 on ℝ, so with these signs f decreases up to the start, and is larger there.
+    assert profile.order == 4
+    assert [sign_of(value) for value in profile.derivatives(start, range(5), 15)] == [1, -1, 1, -1, 1]
+    least = least_value(profile, start)
+    assert least is not None
+    size = force.amplitude(15) * arb(epsilon) ** arb(force.exponent)
+    assert arb(force.mean) - size * least.lower < 0
+    assert slow_force(force, start, epsilon) < 0

@@ -15,10 +15,9 @@ def test_the_initial_value_has_the_sign_of_the_enclosure(
     monkeypatch: pytest.MonkeyPatch, beta: str, positive: bool
 ) -> None:
     monkeypatch.setattr(ledger, "BETA", fmpq(*map(int, beta.split("/"))))
-    assert ledger.is_so_by_the_initial_value("printed") is ledger.is_so_at_zero("printed") is positive
-    assert ledger.is_so_by_the_initial_value("corrected") is ledger.is_so_at_zero("corrected") is not positive
+    assert ledger.is_so_by_the_initial_value() is ledger.is_so_at_zero() is not positive
 
 
 def test_an_uncertain_sign_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ledger, "sign_of", lambda _: None)
-    assert ledger.is_so_by_the_initial_value("printed") is None
+    assert ledger.is_so_by_the_initial_value() is None

@@ -19,7 +19,7 @@ def other_fate(honest: Any) -> Any:
 
 def negative_for(nu: fmpq) -> Any:
     """The state of one ν replaced by that of the other side."""
-    return lambda honest: lambda n, epsilon: honest(fmpq(1, 2) if n == nu else n, epsilon)
+    return lambda honest: lambda n, *rest: honest(fmpq(1, 2) if n == nu else n, *rest)
 
 
 TEETH: Teeth = {

@@ -103,7 +103,7 @@ def _teeth() -> Teeth:
     (name, beta), (_, other) = ledger.PAIR
     found["3-table-1-one-series"] = (
         Bite("factor", ledger, "MEASURED", in_row(ledger.MEASURED, name, beta, lambda _: ledger.MEASURED["y"][other])),
-        Bite("hidden factor", ledger, "MEASURED", in_row(ledger.MEASURED, "y", ledger.BETAS[0], lambda _: "1.6653")),
+        Bite("hidden factor", ledger, "MEASURED", in_row(ledger.MEASURED, *ledger.SINGLE, lambda _: "1.6653")),
         Bite("hypothesis", ledger, "COMMON", lambda _: fmpq(1, 300)),
         Bite("order", ledger, "pair_error", lambda honest: lambda *a: honest(*a) * 10),
     )
