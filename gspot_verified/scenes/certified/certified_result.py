@@ -138,10 +138,10 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     on = provided([each for each in assumptions if each.why != _NOT_FURTHER])
     if failed is not None and record.violated is not None:
         verdict = Verdict.refuted(
-            f"{failed.assumes}{span}, as leaving {failed.effect} out assumes",
+            f"{failed.assumes}{span}, as leaving {failed.effect} out assumes{on}",
             f"that {failed.assumes} fails at {failed.when} after the start: add the effect {failed.effect!r}",
             record.violated[2],
-            "; ".join(filter(None, (known, remarks))) + on,
+            "; ".join(filter(None, (known, remarks))),
         )
         return SceneRun(CERTIFIED, REFUTED, events, verdict, assumptions=assumptions)
     if record.open is None:

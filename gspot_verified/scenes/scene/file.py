@@ -199,7 +199,7 @@ def parse_scene(text: str, folder: Path | None = None) -> Scene:
         on_slow_manifold=slow,
     )
     for key in own:
-        checked_owner(scene, key)
+        checked_owner(scene.defaults(), key)
     return scene
 
 

@@ -325,7 +325,7 @@ class Scene(Shown):
         parameters = {name: value for name, value in self.parameters.items() if name in defaults}
         epsilon, until = self.epsilon, self.until
         mechanism, slow = self.mechanism, self.on_slow_manifold
-        self._check_settings([name for name, value in settings.items() if value is not None])
+        self._check_settings([name for name, value in settings.items() if value is not None], defaults)
         for name, value in settings.items():
             if value is None:
                 continue
@@ -343,7 +343,7 @@ class Scene(Shown):
                     start.pop("nu" if name == "b" else "b", None)
                 start[name] = value if isinstance(value, str) and mechanism is not None else scene_number(value, name)
             elif mechanism is not None and name in dict(mechanism.parameters):
-                mechanism = mechanism.with_parameters(**{checked_owner(self, name): value})
+                mechanism = mechanism.with_parameters(**{checked_owner(defaults, name): value})
             elif name in defaults:
                 parameters[name] = scene_number(value, name)
             else:
@@ -361,7 +361,7 @@ class Scene(Shown):
             on_slow_manifold=slow,
         )
 
-    def _check_settings(self, names: Sequence[str]) -> None:
+    def _check_settings(self, names: Sequence[str], defaults: Mapping[str, fmpq]) -> None:
         """Passes where each name says one thing, and no two say the same."""
         for one, other in (("eps", "epsilon"), *([("b", "nu")] if self.mechanism is None else [])):
             if one in names and other in names:
@@ -373,6 +373,11 @@ class Scene(Shown):
                 raise SceneError(
                     f"{name!r} is a parameter of {self.mechanism.name} and a setting of every scene: "
                     "change it in a file"
+                )
+        for name in self.mechanism.state:
+            if name in names and name not in ("y", "v", "z") and name in (*OF_EVERY_SCENE, *defaults):
+                raise SceneError(
+                    f"{name!r} is a component of {self.mechanism.name} and a setting of this scene: change it in a file"
                 )
 
     def _start_keys(self) -> tuple[str, ...]:
@@ -391,12 +396,12 @@ def checked_start(value: object) -> bool:
     return True
 
 
-def checked_owner(scene: Scene, name: str) -> str:
-    """The name of a mechanism's parameter, if no effect has one of that name.
+def checked_owner(defaults: Mapping[str, fmpq], name: str) -> str:
+    """The name of a mechanism's parameter, if no effect has one of that name, with these ``defaults``.
 
     :raises SceneError: both have.
     """
-    if name in scene.defaults():
+    if name in defaults:
         raise SceneError(
             f"parameter {name!r} is one of the mechanism and of an effect: change the mechanism's in its file"
         )

@@ -166,6 +166,20 @@ def test_the_velocity_of_the_surface(velocity: str | None, expected: str) -> Non
     assert ("belt_velocity" in made.values()) is (velocity is not None)
 
 
+def test_a_refutation_names_what_it_assumes() -> None:
+    """That λ_N stays positive for 8/25 was refuted on every belt; it is true on one at whose velocity slip turns."""
+    without = load_scene("oscillator", epsilon="1/100", until="8/25").with_effects(drop=("lift_off",))
+    run = integrated_run(without)
+    assert run.verdict.outcome is Outcome.REFUTED
+    assert standing(run) == {"lift_off": VIOLATED, "tangential_motion": ASSUMED}
+    assert run.verdict.statement == (
+        "λ_N is positive in contact until t = 8/25 after the start, as leaving lift_off out assumes, provided that the "
+        "slip velocity is positive in contact (tangential_motion is left out)"
+    )
+    turning = without.with_effects(add=("tangential_motion", "stick"), belt_velocity="-9/20")
+    assert standing(integrated_run(turning)) == {"lift_off": CHECKED}
+
+
 @pytest.mark.parametrize(
     ("push", "expected"), [("1", CHECKED), ("-1", VIOLATED), ("0", ASSUMED), ("q", CHECKED), ("-q", VIOLATED)]
 )
@@ -347,8 +361,9 @@ def test_each_end_of_a_run_has_its_verdict() -> None:
     made = scene(block(), 2, ("compliant_contact",))
     two = result_of(made, Conditions.of(made), Record(violated=("lift_off", arb(15), SHOWN)))
     assert standing(two) == {"lift_off": VIOLATED, "tangential_motion": ASSUMED}
-    assert two.verdict.detail == f"certain before it: {NO_EVENT}{provided(two.assumptions)}"
-    assert "(tangential_motion is left out)" in two.verdict.detail
+    assert two.verdict.detail == f"certain before it: {NO_EVENT}"
+    assert two.verdict.statement.endswith(provided(two.assumptions))
+    assert "(tangential_motion is left out)" in two.verdict.statement
     for budget, reason in ((True, Reason.BUDGET), (False, Reason.HYPOTHESIS)):
         stopped = result(Record([lift], open=Open("it is hard", arb(12), budget), seen=arb(11)))
         assert stopped.verdict.outcome is Outcome.UNDECIDED

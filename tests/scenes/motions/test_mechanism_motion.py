@@ -342,6 +342,25 @@ def test_settings_of_the_mechanism_and_of_effects_meet_in_one_list() -> None:
         scene(own, X="0").with_settings(k_1=2)
 
 
+def test_a_setting_of_an_effect_that_is_added_is_no_parameter_of_the_mechanism() -> None:
+    """The belt's velocity, which the mechanism's force is called too: it was the force that changed."""
+    own = lagrangian("own", ["X", "Y"], [[1, 0], [0, 1]], ["belt_velocity", -1], "X", "Y", 0, {"belt_velocity": 1})
+    slipping = scene(own, (*CONTACT, "tangential_motion", "stick"), X_dot="1")
+    pushed = slipping.with_settings(belt_velocity=2).mechanism
+    assert pushed is not None
+    assert dict(pushed.parameters)["belt_velocity"] == Constant(fmpq(2))
+    with pytest.raises(SceneError, match="'belt_velocity' is one of the mechanism and of an effect"):
+        slipping.with_effects(("belt",), belt_velocity=2)
+
+
+@pytest.mark.parametrize("name", ["eps", "until", "k_1"])
+def test_a_component_with_the_name_of_a_setting_is_not_set_beside_it(name: str) -> None:
+    own = lagrangian("own", [name, "Y"], [[1, 0], [0, 1]], [0, -1], name, "Y", 0)
+    made = scene(own, **{f"{name}_dot": "1"})
+    with pytest.raises(SceneError, match=f"'{name}' is a component of own and a setting of this scene"):
+        made.with_settings(**{name: "1/2"})
+
+
 def test_the_compliance_is_that_of_the_mechanism() -> None:
     stiff = lagrangian(
         "stiff", ["X", "Y"], [[1, 0], [0, 1]], [0, -1], "X", "Y", 0, regularisation={"k_1": 2, "k_2": 3, "c": 5}
