@@ -100,6 +100,17 @@ def test_a_term_outside_its_space() -> None:
         check_spaces(wrong)
 
 
+def test_terms_that_are_not_finite_keep_no_law() -> None:
+    """A ball that is not finite excludes nothing: such terms passed all laws."""
+    good = expand(load("genot_brogliato_rod"), 3)
+    wrong = replace(good, b=(*good.b[:2], good.b[2].scale(arb("nan"))))
+    for check in (check_spaces, check_trajectory):
+        with pytest.raises(AssertionError, match="b_2 is not finite, so nothing is compared with it"):
+            check(wrong)
+    with pytest.raises(AssertionError, match=r"b and its function of xi differ at delta\^4"):
+        check_synchronisation(wrong)
+
+
 # Each law of the functions, broken alone.
 _BROKEN: dict[str, dict[str, Expression]] = {
     "L_F y = v": {"v": Variable(3) + Variable(1)},
