@@ -43,6 +43,24 @@ _JOINT = (
     "margin", "ref", "springref", "armature", "damping", "frictionloss", "user",
 )  # fmt: skip
 _TURNS = ("quat", "euler", "axisangle", "xyaxes", "zaxis")
+_COMPILER = (
+    "alignfree", "angle", "assetdir", "autolimits", "balanceinertia", "boundinertia", "boundmass", "conflict",
+    "convexhull", "coordinate", "discardvisual", "eulerseq", "exactmeshinertia", "fitaabb", "fusestatic",
+    "inertiafromgeom", "inertiagrouprange", "meshdir", "saveinertial", "settotalmass", "strippath", "texturedir",
+    "usethread",
+)  # fmt: skip
+_OPTION = (
+    "actuatorgroupdisable", "apirate", "ccd_iterations", "ccd_tolerance", "collision", "cone", "density", "gravity",
+    "impratio", "integrator", "iterations", "jacobian", "ls_iterations", "ls_tolerance", "magnetic", "mpr_iterations",
+    "mpr_tolerance", "noslip_iterations", "noslip_tolerance", "o_friction", "o_margin", "o_solimp", "o_solref",
+    "sdf_initpoints", "sdf_iterations", "sleep_tolerance", "solver", "timestep", "tolerance", "viscosity", "wind",
+)  # fmt: skip
+_FLAG = (
+    "actuation", "autoreset", "clampctrl", "constraint", "contact", "damper", "diagexact", "energy", "equality",
+    "eulerdamp", "filterparent", "frictionloss", "fwdinv", "gravity", "invdiscrete", "ipc", "island", "limit",
+    "midphase", "multiccd", "nativeccd", "override", "passive", "refsafe", "sensor", "sensornoise", "sleep",
+    "speculative", "spring", "warmstart",
+)  # fmt: skip
 
 
 def from_mjcf(
@@ -101,6 +119,7 @@ class _Model:
     def __init__(self, root: XmlElement, without: Sequence[str]) -> None:
         self._root, self._without = root, without
         root.only(("compiler", "option", "worldbody", "default"), _NO_EFFECT, _REASONS)
+        root.only_attributes(("model",))
         self._degrees, self._sequence = True, "xyz"
         for compiler in _merged(root, "compiler"):
             self._compiler(compiler)
@@ -112,6 +131,7 @@ class _Model:
         self._names: set[str] = set()
 
     def _compiler(self, compiler: XmlElement) -> None:
+        compiler.only_attributes(_COMPILER)
         angle = compiler.text("angle", "degree")
         self._degrees, self._sequence = angle == "degree", compiler.text("eulerseq", "xyz")
         if angle not in ("degree", "radian"):
@@ -127,6 +147,7 @@ class _Model:
         _refuse_numbers(compiler, _REFUSED_COMPILER, "changes masses: it is not taken")
 
     def _default(self, element: XmlElement, above: Mapping[str, str], is_main: bool = False) -> None:
+        element.only_attributes(("class",))
         joint = element.one("joint")
         own = dict(above) | ({} if joint is None else joint.attributes)
         name = element.text("class", "main" if is_main else None)
@@ -144,11 +165,13 @@ class _Model:
 
         gravity: list[Any] = [sympy.Integer(0), sympy.Integer(0), -sympy.Rational("9.81")]
         for option in _merged(self._root, "option"):
+            option.only_attributes(_OPTION)
             _refuse_numbers(option, _REFUSED_OPTION, "is a force of a fluid: it is not taken")
             gravity = option.numbers("gravity", 3, "0 0 -9.81")
         for option in self._root.children("option"):
             option.only(("flag",), (), _REASONS)
             for flag in option.children("flag"):
+                flag.only_attributes(_FLAG)
                 for word in ("gravity", "spring", "damper", "passive"):
                     if flag.text(word, "enable") != "enable":
                         raise flag.refuse(f"{word} is switched off: leave it out of the model")
@@ -168,6 +191,7 @@ class _Model:
         worlds = list(self._root.children("worldbody"))
         if len(worlds) != 1:
             raise self._root.refuse(f"one worldbody is needed, found {len(worlds)}")
+        worlds[0].only_attributes(())
         worlds[0].only(("body",), ("geom", "site", "camera", "light"), _REASONS)
         made: list[Body] = []
         eye, zero = sympy.ImmutableMatrix(sympy.eye(3)), sympy.ImmutableMatrix([0, 0, 0])
