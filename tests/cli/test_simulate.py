@@ -442,3 +442,16 @@ def test_a_parameter_with_the_name_of_a_setting(capsys: pytest.CaptureFixture[st
     code, _, errors = run(capsys, "simulate", str(own), "--spot", "1", "--epsilon", "1/100")
     assert code == 64
     assert "'epsilon' is a parameter of falling rod and a setting of every scene" in errors
+
+
+def test_a_parameter_of_a_spots_mechanism_and_of_an_effect_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Before a G-spot --set k_1 changed the mechanism's own k_1, and the stiffness of the contact stayed 1."""
+    own = tmp_path / "own.toml"
+    own.write_text(
+        re.sub(r"\bl\b", "k_1", shipped_text("rod").partition("[drawing]")[0]) + "[g_spot]\n", encoding="utf-8"
+    )
+    code, _, err = run(capsys, "simulate", str(own), "--spot", "1", "--float", "--set", "k_1=1")
+    assert code == 64
+    assert "'k_1' is one of the mechanism and of an effect" in err

@@ -115,6 +115,7 @@ def simulate(
     from gspot_verified.scenes.certified_run import EXACT
     from gspot_verified.scenes.scene.file import files_read, load_scene
     from gspot_verified.scenes.scene.run import agreement
+    from gspot_verified.scenes.scene.scene import checked_owner
     from gspot_verified.scenes.simulate import simulate as run_of
 
     if floats and compare:
@@ -146,8 +147,12 @@ def simulate(
     if of_floats != journal:
         outputs.file("--journal with --compare", of_floats)
     changes = _given(settings or [], beta=beta, nu=nu, epsilon=epsilon, until=until)
+    given = [*changes]
     loaded = load_scene(scene) if spot is None else _before(scene, spot, changes)
     loaded = loaded.with_effects(add or (), drop or (), **changes)
+    for name in given:
+        if name not in changes:  # it was one of the mechanism
+            checked_owner(loaded.defaults(), name)
     if certificate is not None:
         _certify(outputs, loaded, digits, budget, certificate, as_json)
     if animation is not None:
