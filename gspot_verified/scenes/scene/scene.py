@@ -52,6 +52,7 @@ class Scene(Shown):
     :attr:`slow_start`.
 
     :raises SceneError: a part is wrong.
+    :raises TypeError, ValueError: a number that is not exact: a float, a ball.
     :raises MechanismError: the mechanism is not complete, it has a mass or a friction coefficient below 0, or its mass
         matrix is not positive definite at the start.
     """
@@ -68,6 +69,7 @@ class Scene(Shown):
 
     def __post_init__(self) -> None:
         _check_names(self)
+        self._read_numbers()
         _check_effects(self.effects, self.mechanism is not None)
         if self.mechanism is not None:
             refuse_impossible(self.mechanism)
@@ -82,6 +84,15 @@ class Scene(Shown):
         self.first_phase()
         if self.stop_at_force is not None:
             check_rigid_force(self.motion, self.values())
+
+    def _read_numbers(self) -> None:
+        """Plain rationals in the place of what is exactly one: a ball, a float, or a number that compares in its own
+        way is none that a statement can name."""
+        for name in ("epsilon", "until", "stop_at_force"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, scene_number(getattr(self, name), name))
+        parameters = {name: scene_number(value, f"parameters: {name[:40]}") for name, value in self.parameters.items()}
+        object.__setattr__(self, "parameters", parameters)
 
     def __getstate__(self) -> dict[str, object]:
         """What was given; the equations are made again where they are needed."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pickle
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -492,3 +493,36 @@ def test_the_force_of_rigid_slip(p: fmpq | arb, b: fmpq | arb, good: bool) -> No
         return
     with pytest.raises(SceneError, match=r"it needs p > 0 and b < 0, got p = .*, b = "):
         check_rigid_force(motion, VALUES)  # type: ignore[arg-type]
+
+
+class Liar(fmpq):
+    """Below 0, and above it."""
+
+    def __gt__(self, other: object) -> bool:
+        return True
+
+    def __le__(self, other: object) -> bool:
+        return False
+
+
+@pytest.mark.parametrize("name", ["epsilon", "until", "stop_at_force", "beta"])
+def test_a_scene_made_by_hand_has_plain_exact_numbers(name: str) -> None:
+    """Balls and floats went in unasked, and a run with a stiffness of -1 was proved."""
+    good = load_scene("fig-varsim1")
+
+    def with_number(value: Any) -> Scene:
+        return replace(good, **({"parameters": {name: value}} if name == "beta" else {name: value}))
+
+    for wrong, error, message in (
+        (arb("2.5", "0.1"), ValueError, "expected one exact number, got a ball"),
+        (2.5, TypeError, "a float is not taken as exact"),
+    ):
+        with pytest.raises(error, match=f"{name}: {message}"):
+            with_number(wrong)
+    made = with_number(2)
+    assert type(made.parameters["beta"] if name == "beta" else getattr(made, name)) is fmpq
+    if name != "beta":
+        with pytest.raises(SceneError, match=f"{name} must be > "):
+            with_number(Liar(-1))
+    with pytest.raises(SceneError, match="k_1 must be > 0, got -1"):
+        replace(good, parameters={"k_1": Liar(-1)})
