@@ -122,6 +122,7 @@ class Region:
             if i in self._given:
                 lower, upper = self._given[i]
                 text = f"[{text_of_each(lower)}, {text_of_each(upper)}]"
+                text += "; fixed" if explicit.get(i) == fixed_name(word) else ""
             elif i in explicit:
                 text = "fixed" if explicit[i] == fixed_name(word) else f"follows from {explicit[i]} = 0"
             elif i in apart.free:
@@ -171,8 +172,6 @@ class Region:
             elif i in self._given:
                 lower, upper = self._given[i]
                 bounded.append(f"{word} in [{text_of_each(lower)}, {text_of_each(upper)}]")
-            elif explicit.get(i) == fixed_name(word):
-                held.append(f"{word} = {fixed[word]}" if word in fixed else word)
             elif i in explicit:
                 continue
             elif i in apart.free:
@@ -185,6 +184,9 @@ class Region:
                 bounded.append(f"{word} in {self._stated(i)} (default)")
             else:
                 every.append(word)
+        for i, word in enumerate(self._state):
+            if explicit.get(i) == fixed_name(word):  # also where an interval is given for it
+                held.append(f"{word} = {fixed[word]}" if word in fixed else word)
         parts = [
             *(f"every angle {word}" for word in angles),
             *bounded,
