@@ -62,6 +62,14 @@ RESTRICTIONS = {
     "r_ξ with the corrected sum": "corrected sum|Step 2",
     "the last zero": "the last zero",
     r"C_1/Γ\(-β\)": "C_1",
+    "with the corrected z|the trivial solution with the corrected": "corrected (?:sign|z|y)|right sign",
+    r"as long as slip is positive": "slip (?:is )?positive|positive slip",
+    r"AC - B² (?:> 0|stays)|A p < AC": r"AC - B²|near the G-spot",
+    r"once z has come": "z has come",
+    r"[Ff]or α_1 ≠ α_3": "α_1 and α_3 not equal|Cases?|α_1 ≠ α_3|corrected",
+    r"p (?:other than|not) 0": r"p not 0|p > 0|p < 0|p bounded|λ_N > 0|p ≠ 0|2b/p",
+    r"p other than 1": "p not 1|p < 1|at the G-spot",
+    r"from a start at which": "start at which λ_N > 0|not later",
     VALUE: f"{VALUE}|Figure|Table|panel|Panel|start|[βε] <|β = ",
 }
 """What a statement is restricted by, and one of the words by which a claim that is proved by it says so."""

@@ -251,7 +251,8 @@ def _sizes() -> Entry:
         "A rigid impact without collision (v = 0, u > 0 and p < 0 at first, A, B, C, μ constant, AC - B² > 0, a "
         "coefficient of restitution r > 0) stops the slip, and v falls to p u/(μA - B), which tends to 0 with p; at "
         "its end v is r B u/A by Poisson's law, more than r C u/(μA) for every p < 0, and by the energetic law v² is "
-        "-p r² B u²/(A (μA - B)), which tends to 0 with p; both limits p → 0 where AC - B² stays away from 0",
+        "-p r² B u²/(A (μA - B)), which tends to 0 with p; both limits are those of p → 0 where A and C stay bounded "
+        "and AC - B² away from 0",
         Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), sizes_near_the_g_spot()]),
@@ -284,8 +285,8 @@ def _laws() -> Entry:
         "lines 209, 369 to 374",
         r"p\to0:\quad(v^+)^2\text{ by the energetic law over }(v^+)^2\text{ by Poisson's law}\to0",
         "For a rigid impact without collision, A, B, C, μ constant, p < 0, the energetic law of restitution and "
-        "Poisson's, both with the same coefficient r > 0, differ in the limit p → 0 where AC - B² stays away from 0: "
-        "the quotient of the two squares of v at the end tends to 0",
+        "Poisson's, both with the same coefficient r > 0, differ in the limit p → 0 where A stays bounded and AC - "
+        "B² away from 0: the quotient of the two squares of v at the end tends to 0",
         Rung.EXACT.check(
             "along the normal impulse: the rates of v in slip and in stick, the impulse and the work of restitution",
             all_of([compresses_in_slip(), decompresses_in_stick(), sizes_along_the_path(), quotient_has_the_limit()]),

@@ -218,7 +218,7 @@ def _passes_and_lifts_off(epsilon: fmpq) -> Check:
     found = first_zero(*case_ii(NEAR, epsilon), digits=6)
     return Rung.BALLS.check(
         "proofs/force_range.md: the first zero of λ_N; proofs/flight.md, Theorem F1 (b): the flight; for β = "
-        f"{{CASE_II['beta']}}, α_1 = -1, α_2 = {{CASE_II['alpha_2']}}, ν = {NEAR}, ε = {epsilon}",
+        f"{CASE_II['beta']}, α_1 = -1, α_2 = {CASE_II['alpha_2']}, ν = {NEAR}, ε = {epsilon}",
         False if all_of([lost_after(NEAR, epsilon), flies_for_ever(NEAR, epsilon)]) else None,
         ""
         if found.lower is None or found.upper is None

@@ -104,7 +104,8 @@ def _lifts_off() -> Entry:
         "lines 1278 to 1281",
         r"\text{all trajectories of interest have }C_1<0",
         "Case II, rigid slip with constant α's: every state with p > 0, b < 0 and α_2 p > (α_1 - α_3) b, C_1 > 0, "
-        "comes to b = 0, where λ_N is 0, with p > 0: it lifts off, and does not reach the G-spot in slip",
+        "comes, as long as slip is positive, to b = 0, where λ_N is 0, with p > 0: it lifts off, and does not reach "
+        "the G-spot in slip",
         Rung.EXACT.check(
             "the rate of λ_N = -b/p is the distance from the line over -p; it grows in size as λ_N falls",
             force_falls_to_zero(),

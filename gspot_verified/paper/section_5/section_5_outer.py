@@ -137,7 +137,8 @@ def _fast_polynomial() -> Entry:
         return [images[0], images[2], images[1] - parts["polynomial"]]
 
     def section_4(parts: Parts) -> list[fmpq_mpoly]:
-        return [parts["polynomial"] - ALGEBRA.read(section_4_fast.CUBIC)]
+        whole = ALGEBRA.read(section_4_fast.PRINTED["4-fast-polynomial"]["polynomial"])
+        return [whole + lam * parts["polynomial"]]
 
     return SECTION.settled(
         "5-fast-polynomial",

@@ -14,10 +14,10 @@ from gspot_verified.paper.checks.formulas import mended
 from gspot_verified.paper.checks.identities import Algebra, rising_signs
 from gspot_verified.paper.checks.page import Page
 from gspot_verified.paper.checks.words import Place, held_against, quoted, said
-from gspot_verified.paper.section_4 import section_4_fast
 from gspot_verified.paper.section_5 import section_5_outer
 from gspot_verified.paper.section_5.section_5_recursion import ALGEBRA
 from gspot_verified.paper.section_5.section_5_recursion import PRINTED as RECURSION
+from gspot_verified.paper.section_5.section_5_theorem import HYPOTHESES
 
 SECTION = Section("Section 5, Theorem 1")
 KINDS = {"printed": {"differential": 4, "algebraic": 1}, "corrected": {"differential": 3, "algebraic": 2}}
@@ -71,6 +71,8 @@ NAMED_SIDE = Place("line 1918", r"in the critical manifold for \$p([<>])0\$")
 ANSATZ_TIME = Place("line 2005", r"\\hat\{\\xi\}\(t\)&=\\xi_0\((-?)t\)\^r")
 SIDES = {">": 1, "<": -1}
 ATTRACTED = {"printed": None, "corrected": ">"}
+SLOPE = "-a2"
+"""α_1* < 0, the rate of p."""
 """The side of p that the trajectories come from: the one of line 1918, and the right one."""
 MANIFOLDS = "lines 1967 to 1971, 1980 to 1984"
 AT_EPSILON_0 = Place("line 1967", r"for \$\\eps=0\$ occur on the (\w+) manifold")
@@ -78,7 +80,9 @@ NEAR_BY = Place("line 1982", r"exist a \{\\em (\w+) manifolds\} which are \$O\(\
 NAMES = {"ε = 0": "critical", "near by": "slow"}
 """What they are called in the theory of fast-slow systems that line 1980 cites."""
 UNIQUE = "lines 1363 to 1369"
-SIZES = (1, 2, 3)
+REGULAR = "jacobian"
+"""The hypothesis of 5-theorem-1 by which Y = J⁻¹ is defined."""
+SIZES = (1, 2, 3, 4)
 """Sizes of the Jacobian at which Cramer's rule is written out with symbols."""
 DIMENSION = Algebra("m")
 AT_THE_G_SPOT = {"P, B, Y, V": "4", "J": "m - 4"}
@@ -188,9 +192,11 @@ def cofactors_invert() -> bool | None:
     return all(answers)
 
 
-def as_many_as_components() -> bool | None:
-    """Whether the functions are m for every m, as the components of ξ: the Jacobian is square."""
+def has_a_regular_jacobian() -> bool | None:
+    """Whether the functions are m, as the components of ξ, for every m: a square Jacobian, by hypothesis regular."""
     total = sum((DIMENSION.read(f"{text} + 0*m") for text in AT_THE_G_SPOT.values()), start=DIMENSION.constant(0))
+    if REGULAR not in HYPOTHESES:
+        return None
     return (total - DIMENSION.symbols["m"]).is_zero()
 
 
@@ -211,10 +217,9 @@ def _unique() -> Entry:
         "is no other such place near by",
         Page("krawczyk", (cofactors_invert,)).carries(
             Rung.EXACT.check(
-                "as many functions as components of ξ, and Y the inverse of the Jacobian at x_0 = ξ*, f(ξ*) = 0: K = "
-                "ξ* + (I - Y A)(X - ξ*), where I - Y A tends to 0 as the cube X about x_0 shrinks to ξ*; so K lies "
-                "inside a small X, which has one zero",
-                as_many_as_components(),
+                "Corollary, with as many functions as components of ξ, f(ξ*) = 0, and Y the inverse of the Jacobian "
+                "at ξ*, its cofactors over its determinant",
+                has_a_regular_jacobian(),
             )
         ),
         Rung.POINTS.check("the same test in balls at a G-spot of a mechanism", one_in_a_box()),
@@ -287,30 +292,24 @@ def side_of(form: str) -> str | None:
 
 
 def ansatz_is_on_the_side(form: str) -> bool | None:
-    """Whether p = α_1 t, α_1 = -a2 < 0, has the sign of the side where the power of the ansatz is real.
+    """Whether p = α_1 t has the sign of the side where the power of the ansatz is real.
 
     (-t)^r is real for every r > 0 where t = -a3 < 0, and t^r where t = a3.
     """
     time, side = said(APPROACH, ANSATZ_TIME), side_of(form)
     if time is None or side is None:
         return None
-    p = DIFFERENCES.read("-a2") * DIFFERENCES.read("-a3" if time == "-" else "a3")
+    p = DIFFERENCES.read(SLOPE) * DIFFERENCES.read("-a3" if time == "-" else "a3")
     return rising_signs(SIDES[side] * p)
 
 
-def manifold_attracts_on_the_side(form: str) -> bool | None:
-    """Whether all roots of λ³ + 2λ² + pλ + p have negative real parts on that side, by Routh and Hurwitz.
-
-    As trajectories have to be attracted that are in the slow manifold and not chosen to be there.
-    """
+def comes_to_the_g_spot_on_the_side(form: str) -> bool | None:
+    """Whether p² falls there: its rate is 2 p α_1."""
     side = side_of(form)
     if side is None:
         return None
-    algebra = section_5_outer.ALGEBRA
-    at = {"p": SIDES[side] * algebra.symbols["w"]}
-    coefficients = algebra.coefficients(algebra.substitute(algebra.read(section_4_fast.CUBIC), at), "lam")
-    third, second, first, last = (coefficients[power] for power in (3, 2, 1, 0))
-    return all(rising_signs(value) for value in (third, second, last, second * first - third * last))
+    p = DIFFERENCES.read("a3")
+    return rising_signs(-2 * SIDES[side] * p * DIFFERENCES.read(SLOPE))
 
 
 def _approaching() -> Entry:
@@ -326,9 +325,9 @@ def _approaching() -> Entry:
             "(-t)^r is real for every r > 0 at t < 0 alone, and there p > 0",
         ),
         Rung.EXACT.check(
-            "the side where the slow manifold attracts (lines 1961 to 1965), by Routh and Hurwitz",
-            mended(*map(manifold_attracts_on_the_side, forms)),
-            "for p < 0 it has an unstable direction: trajectories leave it",
+            "the rate of p², 2 p α_1*, α_1* < 0",
+            mended(*map(comes_to_the_g_spot_on_the_side, forms)),
+            "for p < 0 it is positive: such trajectories move away from p = 0",
         ),
         corrected="for p > 0",
     )

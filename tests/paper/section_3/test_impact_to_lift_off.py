@@ -217,6 +217,6 @@ def test_the_statement_names_what_is_checked(monkeypatch: pytest.MonkeyPatch) ->
     entry = ledger.ENTRIES["3-impact-to-lift-off"]()
     assert [check.agrees for check in entry.checks] == [True, True]
     assert {"b": (-3, 0), "v": (fmpq(-1, 40), 0), "lambda_N": (0, 140)} == ledger.AT_SPOT
-    assert "-3 < b < 0, -1/40 < v < 0 and 0 < λ_N < 140; " in entry.statement
+    assert "-3 < b < 0, -1/40 < v < 0 and 0 < λ_N < 140, and beyond; " in entry.statement
     assert "ν = 1/4 with u(0) = 70, and ν = 4 with u(0) = 200: " in entry.statement
     assert "(less than 25 for ν = 1/4, less than 77 for ν = 4)" in entry.statement

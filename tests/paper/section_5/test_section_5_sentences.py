@@ -90,7 +90,7 @@ def test_misprints(
 
 
 def test_the_side_where_trajectories_come_from(monkeypatch: pytest.MonkeyPatch) -> None:
-    checks = (ledger.ansatz_is_on_the_side, ledger.manifold_attracts_on_the_side)
+    checks = (ledger.ansatz_is_on_the_side, ledger.comes_to_the_g_spot_on_the_side)
     assert [check(form) for check in checks for form in ("printed", "corrected")] == [False, True] * 2
     printed(monkeypatch, "manifold for $p<0$.", "manifold for $p>0$.")
     assert [check("printed") for check in checks] == [True, True]

@@ -103,7 +103,8 @@ def test_what_is_proved_is_compared_with_the_rule(monkeypatch: pytest.MonkeyPatc
 def test_the_statement_names_what_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ledger, "float_runs_agree", lambda _: True)
     entry = ledger.ENTRIES["5-side"]()
-    assert "χ = 1, β = 3/2, for every ε <= 1/125000 at once: all states within 1/1000 ε^(1/3)" in entry.statement
+    assert "χ = 1, β = 3/2, for every ε <= 1/125000 at once: all states whose scaled ξ" in entry.statement
+    assert "λ_N + y/2 are within 1/1000 ε^(1/3)" in entry.statement
     assert "expansion of order 8" in entry.statement
     assert "past 10 times the mean force" in entry.statement
     assert "at ε = 1/125000 and 1/8000000" in entry.checks[1].what

@@ -223,7 +223,10 @@ def test_the_texts_name_what_is_followed(monkeypatch: pytest.MonkeyPatch) -> Non
         "The oscillator in positive slip, for every ε <= 1/1000000 at once: a deviation from the expansion"
     )
     assert "is the leading-order slow one with the C_1 of the second start, to 4 decimals" in fit.statement
-    assert "at t = -1 ε^(2/3) has a b that differs by less than 2 % from C_1" in fit.statement
+    assert (
+        "at t = -1 ε^(2/3), λ_N + y/2 as in the expansion, has a b that differs by less than 2 % from C_1"
+        in fit.statement
+    )
     assert fit.statement.endswith("at t/ε^(2/3) = -15/17, -13/17, ..., 1")
     assert "at ε = 1/1000000 (LSODA), up to t = 0.0011: within 4 % of" in fit.checks[1].what
     assert order.statement.startswith(

@@ -33,7 +33,7 @@ TEETH: Teeth = {
     ),
     "5-fast-polynomial": (
         Bite("factor", POLYNOMIAL, "polynomial", scaled),
-        Bite("factor", section_4_fast, "CUBIC", scaled),
+        Bite("factor", section_4_fast.PRINTED["4-fast-polynomial"], "polynomial", scaled),
         Bite("hidden factor", POLYNOMIAL, "polynomial", unseen_at("p", _POINTS)),
         Bite("hypothesis", ledger.PRINTED["5-fast-system"], "z", replaced("2*z", "z")),
         Bite("order", POLYNOMIAL, "polynomial", raised("lam")),

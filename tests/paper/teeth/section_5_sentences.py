@@ -40,6 +40,7 @@ TEETH: Teeth = {
         Bite("factor", Algebra, "determinant", lambda honest: lambda *rows: 2 * honest(*rows) + 1),
         NotApplicable("hidden factor", "an identity in symbols; no points are sampled"),
         Bite("hypothesis", ledger.AT_THE_G_SPOT, "J", lambda _: "m - 5"),
+        Bite("hypothesis", ledger, "REGULAR", lambda _: "singular"),
         Bite("hypothesis", ledger, "find_g_spot", lambda _: _no_place),
         NotApplicable("order", "no order of an error occurs"),
     ),
@@ -55,7 +56,7 @@ TEETH: Teeth = {
         Bite("hypothesis", words, "quoted", reads_as("manifold for $p<0$.", "manifold for $p>0$.")),
         Bite("hypothesis", words, "quoted", reads_as(r"\xi_0(-t)^r", r"\xi_0(t)^r")),
         Bite("hypothesis", ledger.ATTRACTED, "corrected", lambda _: "<"),
-        Bite("order", ledger.section_4_fast, "CUBIC", lambda honest: honest.replace("lam^3", "lam^3 - 3*lam^2")),
+        Bite("order", ledger, "SLOPE", lambda _: "a2"),
     ),
     "5-manifold-names": (
         Bite("factor", section_5_outer.PRINTED["5-outer-system"], "v", scaled),
