@@ -14,6 +14,7 @@ from typing import Any
 from gspot_verified.numbers.verdict import Outcome, Reason
 from gspot_verified.paper.checks.consequences import Reach
 from gspot_verified.paper.checks.entry import Check, Entry, Rung, carrying, conclude, counts, rung_counts
+from gspot_verified.paper.checks.formal_proof import RUN_HERE
 from gspot_verified.paper.claims import WHY, Standing, paper_claims, standing_counts
 from gspot_verified.paper.dependencies import dependencies
 from gspot_verified.report.certificates import CheckedCertificate
@@ -141,7 +142,7 @@ def checked(report: object) -> dict[str, Any]:
             claim, f"claims[{number}]", {entry["identifier"]: entry["verdict"]["outcome"] for entry in entries}
         )
     standings = {name: sum(claim["standing"] == name for claim in data["claims"]) for name in _STANDINGS}
-    if data.get("standings") != standings:
+    if json.dumps(data.get("standings"), sort_keys=True) != json.dumps(standings, sort_keys=True):
         raise ValueError(f"standings: the file says {data.get('standings')}, its claims give {standings}")
     check_hard_cases(data.get("hard_cases"))
     for number, picture in enumerate(_sequence(data, "figures", "report")):
@@ -152,6 +153,8 @@ def checked(report: object) -> dict[str, Any]:
         _file_name(certificate["name"], f"certificates[{number}].name")
         if not isinstance(certificate.get("verified"), bool):
             raise ValueError(f"certificates[{number}].verified: expected true or false")
+        if certificate["verified"] is not certificate["said"].startswith("VERIFIED "):
+            raise ValueError(f"certificates[{number}].said: it does not go with verified")
     proofs = _mapping(data.get("proofs"), "proofs")
     _texts(proofs, list(proofs), "proofs")
     for name in proofs:
@@ -186,7 +189,7 @@ def _check_claim(value: object, where: str, outcomes: Mapping[str, str]) -> None
     lines = _sequence(claim, "lines", where)
     if len(lines) != 2 or any(type(line) is not int for line in lines):
         raise ValueError(f"{where}.lines: expected two line numbers, got {lines}")
-    verdicts = {outcomes.get(name) for name in _sequence(claim, "entries", where)}
+    verdicts = {outcomes.get(name) for name in _names(claim, "entries", where)}
     if verdicts:
         given = "refuted" if "refuted" in verdicts else "proved" if verdicts == {"proved"} else "undecided"
         if claim["standing"] != given and not (given == "proved" and claim["standing"] in _LIMITED):
@@ -230,21 +233,36 @@ def _check_quotations(entry: dict[str, Any], where: str) -> None:
 
 def _check_formal(entry: dict[str, Any], where: str) -> None:
     """A formal proof is said to have been run if a check rests on it, and only then."""
-    formal = entry.get("formal")
-    run = any(check.get("rung") == Rung.FORMAL.name.lower() for check in _sequence(entry, "checks", where))
+    formal = entry["formal"]
+    run = any(check["rung"] == Rung.FORMAL.name.lower() for check in entry["checks"])
     if formal is not None:
         _texts(_mapping(formal, f"{where}.formal"), ("state",), f"{where}.formal")
+        if not isinstance(formal.get("run"), bool) or formal["run"] is not (formal["state"] == RUN_HERE):
+            raise ValueError(f"{where}.formal: run is {formal.get('run')!r}, and its state {formal['state']!r}")
         for theorem in _sequence(formal, "theorems", f"{where}.formal"):
             _texts(
                 _mapping(theorem, f"{where}.formal.theorems"), ("name", "statement", "file"), f"{where}.formal.theorems"
             )
-    if run is not (formal is not None and formal.get("run") is True):
+    if run is not (formal is not None and formal["run"]):
         raise ValueError(f"{where}.formal: it does not go with the checks")
+
+
+def _check_routes(entry: dict[str, Any], where: str) -> None:
+    """The routes are the checks, and a formal proof that was not run."""
+    formal = entry["formal"]
+    routes = [(Rung[check["rung"].upper()].short, check["what"], True) for check in entry["checks"]]
+    if formal is not None and not formal["run"]:
+        routes.append((Rung.FORMAL.short, ", ".join(theorem["name"] for theorem in formal["theorems"]), False))
+    if entry.get("routes") != [{"rung": rung, "what": what, "run": run} for rung, what, run in routes]:
+        raise ValueError(f"{where}.routes: they are not those of the checks")
 
 
 def _check_entry(value: object, where: str) -> None:
     entry = _mapping(value, where)
     _texts(entry, _ENTRY_TEXTS, where)
+    for key in ("consequence", "formal"):
+        if key not in entry:
+            raise ValueError(f"{where}: {key!r} is missing")
     if not isinstance(entry.get("from_cache"), bool):
         raise ValueError(f"{where}.from_cache: expected true or false")
     verdict = _mapping(entry.get("verdict"), f"{where}.verdict")
@@ -261,14 +279,11 @@ def _check_entry(value: object, where: str) -> None:
     _check_quotations(entry, where)
     named = _mapping(entry.get("dependencies"), f"{where}.dependencies")
     for key in _DEPENDENCIES:
-        for name in _sequence(named, key, f"{where}.dependencies"):
-            if not isinstance(name, str):
-                raise ValueError(f"{where}.dependencies.{key}: expected texts")
-    reach = entry.get("consequence")
+        _names(named, key, f"{where}.dependencies")
+    reach = entry["consequence"]
     if reach is not None:
         _texts(_mapping(reach, f"{where}.consequence"), _CONSEQUENCE_TEXTS, f"{where}.consequence")
         _one_of(reach["reach"], _REACHES, f"{where}.consequence.reach")
-    _check_formal(entry, where)
     for box in _sequence(verdict, "remaining", f"{where}.verdict"):
         if not isinstance(box, list) or not all(isinstance(side, str) for side in box):
             raise ValueError(f"{where}.verdict.remaining: expected lists of texts")
@@ -279,6 +294,8 @@ def _check_entry(value: object, where: str) -> None:
         if "agrees" not in check or not (check["agrees"] is None or isinstance(check["agrees"], bool)):
             raise ValueError(f"{place}.agrees: expected true, false or null")
     _check_evidence(entry, where)
+    _check_formal(entry, where)
+    _check_routes(entry, where)
 
 
 def _check_evidence(entry: dict[str, Any], where: str) -> None:
@@ -306,6 +323,13 @@ def _sequence(holder: dict[str, Any], key: str, where: str) -> list[Any]:
     if not isinstance(value, list):
         raise ValueError(f"{where}: expected a list under {key!r}")
     return value
+
+
+def _names(holder: dict[str, Any], key: str, where: str) -> list[str]:
+    names = _sequence(holder, key, where)
+    if not all(isinstance(name, str) for name in names):
+        raise ValueError(f"{where}.{key}: expected texts")
+    return names
 
 
 def _texts(holder: dict[str, Any], keys: Sequence[str], where: str) -> None:

@@ -3,6 +3,7 @@ import json
 
 import pytest
 
+from gspot_verified.paper.checks.formal_proof import RUN_HERE
 from gspot_verified.paper.claims import paper_claims
 from gspot_verified.report.data import checked, report_data, versions
 
@@ -105,6 +106,8 @@ def set_in(report, path, value):
         (["figures", 0, "name"], "../index", r"figures\[0\].name: expected letters, digits"),
         (["certificates", 0, "name"], "../../x.cert", r"certificates\[0\].name: expected letters, digits"),
         (["certificates", 0, "verified"], "yes", r"certificates\[0\].verified: expected true or false"),
+        (["certificates", 1, "verified"], True, r"certificates\[1\].said: it does not go with verified"),
+        (["certificates", 0, "said"], "REJECTED", r"certificates\[0\].said: it does not go with verified"),
         (["claims", BARE, "standing"], "proved", rf"claims\[{BARE}\].standing: proved without an entry"),
         (["claims", 0, "lines"], [1], r"claims\[0\].lines: expected two line numbers"),
         (
@@ -119,6 +122,11 @@ def set_in(report, path, value):
         ),
         (["claims", BARE, "standing"], "overtaken", rf"claims\[{BARE}\].standing: overtaken without an entry"),
         (["claims"], None, "expected a list under 'claims'"),
+        (["claims", 0, "entries"], [["t01"]], r"claims\[0\].entries: expected texts"),
+        (["standings", "refuted"], False, "standings: the file says"),
+        (["entries", 0, "checks", 0], None, r"checks\[0\]: expected an object"),
+        (["entries", 0, "routes", 0, "run"], False, r"entries\[0\].routes: they are not those of the checks"),
+        (["entries", 0, "routes"], None, r"entries\[0\].routes: they are not those of the checks"),
         (["proofs", "a/b"], 64 * "0", "proofs: expected letters, digits"),
         (["entries", 0, "dependencies", "pages"], [1], r"entries\[0\].dependencies.pages: expected texts"),
         (["entries", 0, "lines"], [], r"entries\[0\].lines: expected the lines of the quotations"),
@@ -153,6 +161,13 @@ def test_other_json_is_rejected(value):
 def test_a_check_without_an_answer_is_rejected(report):
     del report["entries"][0]["checks"][0]["agrees"]
     with pytest.raises(ValueError, match="expected true, false or null"):
+        checked(report)
+
+
+@pytest.mark.parametrize("key", ["consequence", "formal"])
+def test_an_entry_without_a_part_is_rejected(report, key):
+    del report["entries"][0][key]
+    with pytest.raises(ValueError, match=rf"entries\[0\]: {key!r} is missing"):
         checked(report)
 
 
@@ -216,4 +231,20 @@ def test_a_rung_that_no_check_stands_on_is_rejected(report):
     with pytest.raises(
         ValueError, match=r"entries\[0\].rests_on: the file says \['exact'\], its checks give \['page'\]"
     ):
+        checked(report)
+
+
+@pytest.mark.parametrize(
+    ("run", "state"),
+    [(1, "not run here"), ("no", "not run here"), (None, "not run here"), (True, "not run here"), (False, RUN_HERE)],
+)
+def test_a_formal_proof_that_no_check_rests_on_was_not_run(report, run, state):
+    """A value that pages take for true is not true, and the words say the same."""
+    formal = {"theorems": [{"name": "IWC", "statement": "", "file": ""}], "run": False, "state": "not run here"}
+    entry = report["entries"][0]
+    entry["formal"] = formal
+    entry["routes"].append({"rung": "formal proof", "what": "IWC", "run": False})
+    assert checked(report) is report
+    formal |= {"run": run, "state": state}
+    with pytest.raises(ValueError, match=r"entries\[0\].formal: run is"):
         checked(report)

@@ -11,7 +11,7 @@ from urllib.parse import quote, unquote
 import pytest
 
 from gspot_verified.paper.checks.entry import Check, Rung, Section
-from gspot_verified.paper.checks.formal_proof import FormalProof, Theorem
+from gspot_verified.paper.checks.formal_proof import RUN_HERE, FormalProof, Theorem
 from gspot_verified.paper.claims import WHY, Standing, paper_claims
 from gspot_verified.paper.verify import PARTS
 from gspot_verified.report.data import report_data
@@ -282,7 +282,9 @@ def proved_entry(name):
     entry = Section("Section 4.5").settled(name, "line 1", "x", f"says {name}", *checks, corrected=f"only for {name}")
     if name not in FORMAL:
         return entry
-    proof = FormalProof((Theorem(f"formal_{name}", "Definition x.", "Statement.v"),), name == FORMAL[0], "state")
+    run_here = name == FORMAL[0]
+    theorem = Theorem(f"formal_{name}", "Definition x.", "Statement.v")
+    proof = FormalProof((theorem,), run_here, RUN_HERE if run_here else "not run here")
     run = (Check(Rung.FORMAL, "Coq", True),) if proof.run else ()
     return replace(entry, formal=proof, checks=(*checks, *run))
 

@@ -22,6 +22,7 @@ _KEPT = ("PATH", "HOME", "TMPDIR", "LANG", "LC_ALL")
 """What the proofs see of the environment."""
 _PROVED = re.compile(r"^(\w+): (?:no axiom|[\w, ]+)$", re.MULTILINE)
 _STATED = re.compile(r"^Stated in (\w+\.v), SHA-256 ([0-9a-f]{64})$", re.MULTILINE)
+RUN_HERE = "run here, by proofs/coq/prove.py"
 NOT_ASKED = "verify --formal runs proofs/coq/prove.py, and only what it proves then counts"
 
 
@@ -93,7 +94,7 @@ def formal_proof(names: Sequence[str], proofs: ProofRun, coq: Path = COQ) -> For
     files = dict.fromkeys(theorem.file for theorem in theorems)
     if not why and (others := [file for file in files if proofs.stated.get(file) != _digest(texts[file])]):
         why = f"{', '.join(others)} was changed after prove.py had read it"
-    return FormalProof(theorems, not why, f"not run here: {why}" if why else "run here, by proofs/coq/prove.py")
+    return FormalProof(theorems, not why, f"not run here: {why}" if why else RUN_HERE)
 
 
 def stated_in(coq: Path = COQ) -> list[str]:
