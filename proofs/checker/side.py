@@ -59,7 +59,7 @@ class Statement:
         """The statement, where the first cone begins at s = ``first``."""
         end = "then it vanishes: contact is lost"
         if self.reaches:
-            end = f"and on until it exceeds {self.reaches}, with p < 0: impact without collision"
+            end = f"and on until it exceeds {self.reaches}, where p < 0"
         place = f"{start.words_of_starts(self.epsilon)}: λ > 0 until p = {-start.a * first} ε^(2/3)"
         return f"{place}, {end}, at the latest at the time {self.by} after p = 0"
 

@@ -86,6 +86,14 @@ def test_its_first_ranges_say_what_they_prove() -> None:
     assert "then it vanishes: contact is lost" in text
 
 
+def test_an_impact_says_no_more_than_it_proves() -> None:
+    """By linearity the same numbers prove it for the other sign of L; what follows after that force is not shown."""
+    assert said(put(0, b="-1/2", reaches="3")).endswith(
+        ": λ > 0 until p = -172/101 ε^(2/3), and on until it exceeds 3, where p < 0, at the latest at the time "
+        f"{LINES[0]['statement']['by']} after p = 0"
+    )
+
+
 ACCEPTED: list[tuple[str, Change]] = [
     ("as it is", put(0)),
     ("a smaller ε", moved(0, "epsilon", Fraction(1, 1000))),
@@ -109,6 +117,7 @@ REJECTED: list[tuple[str, Change, str]] = [
     ("an impact", put(0, reaches="21/10"), "it is the other side"),
     ("a large force", put(0, reaches="20"), "the growth is not followed to the force"),
     ("a force below the mean", put(0, reaches="1"), "an impact is a force above the mean"),
+    ("the mean force", put(0, reaches="2"), "an impact is a force above the mean"),
     ("a negative force", put(0, reaches="-1"), "an impact is a force above the mean"),
     ("a time too soon", put(0, by="1/100000"), "it may happen later than is stated"),
     ("ε = 0", put(0, epsilon="0"), "ε is not positive"),
