@@ -60,6 +60,14 @@ CONTENT: list[tuple[str, str, Mutation, str]] = [
         lambda lines: lines.insert(1, {"beta": ["0", "0"], "pieces": [["laplace"]]}),
         "point",
     ),
+    (
+        "columns before the range",
+        "iwc",
+        lambda lines: lines.__setitem__(
+            slice(1, 1), [{"beta": [low, high], "pieces": [["laplace"]]} for low, high in (("-2", "-1"), ("-1", "0"))]
+        ),
+        "one of the columns lies outside the range",
+    ),
     # Shape.
     ("crosses an integer", "right", column_ends(1, "3/4", "3/2"), "crosses an integer"),
     ("column reversed", "right", column_ends(1, "3/2", "5/4"), "ends before it begins"),
@@ -115,8 +123,10 @@ CONTENT: list[tuple[str, str, Mutation, str]] = [
     ("wider tau", "hinge", state(tau="(-inf, 1)"), "the pieces do not cover the whole range"),
     ("hinge closed at 0", "hinge", state(tau="(-inf, 0]", beta="(1, 2]"), "τ = 0 is a zero in a piece hinge"),
     ("range reversed", "iwc", state(beta="(1, 0)"), "the range '(1, 0)' is empty"),
+    ("closed range reversed", "iwc", state(beta="[1, 0]"), "the range '[1, 0]' is empty"),
     ("range empty", "iwc", state(beta="(1, 1]"), "the range '(1, 1]' is empty"),
     ("closed at infinity", "iwc", state(tau="[-inf, inf)"), "is closed at infinity"),
+    ("closed at plus infinity", "iwc", state(tau="(-inf, inf]"), "is closed at infinity"),
     ("no range", "iwc", state(tau="(-inf,inf)"), "'(-inf,inf)' is not a range"),
     ("range is a number", "iwc", state(tau=1), "1 is not a range"),
     ("tau holds the fold", "fold sign", state(beta="[3, 49/16]"), "τ = 0 is a zero in a piece fold"),
