@@ -67,4 +67,5 @@ def checked(path: Path) -> CheckedCertificate:
 
 
 def _certificates(folder: Path) -> list[Path]:
-    return sorted(folder.glob("*.cert")) if folder.is_dir() else []
+    """The regular files: to read a pipe or a device would never end."""
+    return sorted(path for path in folder.glob("*.cert") if path.is_file())

@@ -134,6 +134,9 @@ REJECTED: list[tuple[str, Change, str]] = [
     ("v without h", put(1, v=[[0, 1, "1"]]), "a polynomial is not divisible"),
     ("v without r", put(1, v=[[1, 0, "1"]]), "a polynomial is not divisible"),
     ("another last term of v", term("v", 4, "-29/8"), "the barrier is not below z_max"),
+    ("no list of terms", put(1, v={}), "v is not a list of at most 200 terms"),
+    ("a term with more", lambda _, line: line["v"][0].append("1"), "is not a term of v"),
+    ("a power that is true", lambda _, line: line["v"][0].__setitem__(0, True), "is not a term of v"),
     ("terms out of order", lambda _, line: line["v"].reverse(), "the terms of v are not in order"),
     ("a term twice", lambda _, line: line["w"].append(line["w"][-1]), "the terms of w are not in order"),
     # The statement.
@@ -145,6 +148,10 @@ REJECTED: list[tuple[str, Change, str]] = [
     ("β = 1", put(0, alpha=["-1", "-1", "-1"]), "β is not above 1"),
     ("α_1 positive", put(0, alpha=["1", "-1", "-3/2"]), "β is not above 1"),
     ("α_2 positive", put(0, alpha=["-1", "1", "-3/2"]), "β is not above 1"),
+    ("α_2 = 0", put(0, alpha=["-1", "0", "-3/2"]), "α_1 and α_2 are not negative"),
+    ("alphas without an order", put(0, alpha={"-1": "", "-3/2": "", "-2": ""}), "is not a list of 3 numbers"),
+    ("S = 0", put(0, scaled="0"), "p, ε, S or η"),
+    ("the end at the start", put(0, epsilon="1/8", scaled="2"), "the passage would end before its start"),
     ("two alphas", put(0, alpha=["-1", "-1"]), "is not a list of 3 numbers"),
     ("another β", put(0, alpha=["-1", "-1", "-8/5"]), "the rate is too small"),
     ("another contact", put(0, contact=["1", "1", "9/10"]), "a source is not paid"),
@@ -184,6 +191,14 @@ def test_roots_and_logarithms_are_bounds_and_close_ones(q: Fraction) -> None:
     assert 0 <= passage.above(q) - q < unit
     exact = math.log(q.numerator) - math.log(q.denominator)
     assert -1e-12 <= float(passage.log_above(q)) - exact <= 1e-12 + 1e-15 * exact**2
+
+
+def test_powers_of_e_are_computed_as_far_as_their_bound_is_one() -> None:
+    """e^x ≤ (1 - x/2^60)^(-2^60) holds for x < 2^60 alone."""
+    assert passage.exp_above(Fraction(999)) >= Fraction(math.e) ** 999 * (1 - Fraction(1, 10**9))
+    for x in (Fraction(1000), Fraction(2**61)):
+        with pytest.raises(check.limits.Rejected, match="a power of e is too large"):
+            passage.exp_above(x)
 
 
 def parts() -> tuple[Any, Any, Any]:

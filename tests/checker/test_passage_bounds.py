@@ -49,6 +49,19 @@ def test_two_negative_entries_are_not_a_positive_minor() -> None:
     assert not held(diagonal(SUM, SUM, -ONE), True, Fraction(1), Fraction(1))
 
 
+def test_a_minor_that_vanishes_is_not_positive() -> None:
+    """[[r², r²], [r², r²]] has the minors r² and 0."""
+    N = diagonal(R * R, R * R)
+    N[0][1] = N[1][0] = R * R
+    assert not held(N, True, Fraction(1), Fraction(1))
+
+
+@pytest.mark.parametrize(("entry", "steep"), [(H * H, False), (R, False), (R, True)])
+def test_an_entry_that_a_chart_would_divide_with_a_rest_is_refused(entry: Any, steep: bool) -> None:
+    with pytest.raises(check.limits.Rejected, match="N has the monomial"):
+        passage.scaled(entry, steep, 2)
+
+
 def test_only_what_lies_outside_of_the_rectangle_is_left_out() -> None:
     """The chart h = us reaches beyond h ≤ other: there nothing is asked, on the edge and within it is."""
     edge = passage.number(Fraction(1, 4))

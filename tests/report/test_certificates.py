@@ -1,6 +1,7 @@
 """Certificates of a report, and that a changed one is found."""
 
 import json
+import os
 import shutil
 
 import pytest
@@ -54,6 +55,18 @@ def test_what_is_shown_is_what_was_checked(folder, monkeypatch):
     assert found.content != true
     assert not found.verified
     assert found.said == "REJECTED the hash does not match"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="a system without named pipes")
+def test_a_pipe_in_the_place_of_a_certificate_is_missing(folder):
+    """To read it would wait for a writer, for ever."""
+    place = folder / "certificates" / NAMES[1]
+    place.unlink()
+    os.mkfifo(place)
+    (folder / "certificates" / "folder.cert").mkdir()
+    found = check_report(folder)
+    assert [(result.name, result.same) for result in found] == [(name, name != NAMES[1]) for name in NAMES]
+    assert found[1].said == "the file is missing"
 
 
 def test_a_changed_a_missing_and_an_added_certificate_fail(folder):
