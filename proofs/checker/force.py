@@ -154,8 +154,8 @@ class System(NamedTuple):
 
     def words(self) -> str:
         """The system, as a statement begins."""
-        numbers = ", ".join(map(str, self.alpha))
-        return f"on the slow manifold of the compliant model with α = ({numbers}) and C_1 = {self.c1}, τ = κ t ε^(-2/3)"
+        numbers, scale = ", ".join(map(str, self.alpha)), f"τ = κ t ε^(-2/3), κ^3 = {-self.alpha[0] / 2}"
+        return f"on the slow manifold of the compliant model with α = ({numbers}) and C_1 = {self.c1}, {scale}"
 
 
 def read_system(alpha: Any, c1: Any) -> System:

@@ -16,6 +16,12 @@ from samples.checker_models import (
 check = mutate.checker()
 
 
+def test_the_scale_of_the_time_is_said() -> None:
+    """κ³ = -α_1/2: without it nobody could compare τ with t."""
+    system = check.force.System([Fraction(-3), Fraction(-1), Fraction(-9, 2)], Fraction(1), Fraction(3, 2))
+    assert system.words().endswith(" and C_1 = 1, τ = κ t ε^(-2/3), κ^3 = 3/2")
+
+
 @pytest.mark.parametrize("sign", [-1, 1])
 def test_a_value_far_beyond_a_level_is_seen_at_the_first_accuracy(sign: int) -> None:
     """Neither more bits nor smaller boxes are asked for: the error is a small part of the value."""

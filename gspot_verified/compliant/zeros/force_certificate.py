@@ -68,7 +68,8 @@ class LiftOffStatement(NoTruthValue, Written):
 
 def _on_the_manifold(force: ContactForce) -> str:
     numbers = f"({force.alpha_1}, {force.alpha_2}, {force.alpha_3})"
-    return f"on the slow manifold of the compliant model with α = {numbers} and C1 = {force.c1}, τ = κ t ε^(-2/3)"
+    scale = f"τ = κ t ε^(-2/3), κ^3 = {-force.alpha_1 / 2}"
+    return f"on the slow manifold of the compliant model with α = {numbers} and C1 = {force.c1}, {scale}"
 
 
 _DIGITS = 12  # of values whose signs are wanted

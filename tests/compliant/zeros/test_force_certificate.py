@@ -46,7 +46,7 @@ def test_force_up_to_nearly_the_largest_epsilon(beta: str) -> None:
     found = force_certificate(force, fmpq(-2), largest * fmpq(9, 10))
     text = check.main.check_text(found.text().encode())
     assert text.startswith("on the slow manifold of the compliant model with α = (-1, -1, ")
-    assert "λ > 0 for every τ in [-2, inf) and every ε in (0, " in text
+    assert "κ^3 = 1/2, λ > 0 for every τ in [-2, inf) and every ε in (0, " in text
     with pytest.raises(NotProvable):
         force_certificate(force, fmpq(-2), largest * fmpq(11, 10))
 

@@ -12,7 +12,7 @@ from gspot_verified.compliant.zeros.force_certificate import ForceStatement, Lif
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.work.ranges import Range
 
-SYSTEM = "on the slow manifold of the compliant model with α = (-1, -1, -5/2) and C1 = -1, τ = κ t ε^(-2/3)"
+SYSTEM = "on the slow manifold of the compliant model with α = (-1, -1, -5/2) and C1 = -1, τ = κ t ε^(-2/3), κ^3 = 1/2"
 FORCE = ForceStatement(
     contact_force("5/2", c1=-1), Range(fmpq(-10), None, True, False), fmpq(4, 5), fmpq(1, 3)
 )  # fmt: skip
