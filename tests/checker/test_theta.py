@@ -165,6 +165,27 @@ def test_the_tail_lemma_is_asked_for_three_sums_at_once(low: str, high: str, mon
     assert all(largest + 2 <= b <= largest + 3 for *_, b in asked)
 
 
+@pytest.mark.parametrize("before", [Fraction(1, 10**9), Fraction(2), Fraction(5)])
+def test_nothing_is_known_before_the_start(before: Fraction) -> None:
+    """A disc begins at -x. An index below 0 would be that of another anchor, counted from the last one."""
+    model = local("7/3", "7/3", 60)
+    model.values(Fraction(0), Fraction(1))
+    assert [a.m for a in model.values(Fraction(-model.x), check.theta.STEP)] == [a.m for a in model.anchors[0]]
+    with pytest.raises(check.limits.Rejected, match="τ before the start"):
+        model.values(-model.x - before, Fraction(1))
+
+
+def test_a_disc_that_begins_after_the_place_is_refused() -> None:
+    """The key of a disc holds the start for b = 0; for a large b the start may lie between two places with one key."""
+    theta = check.theta.Theta(LIMITS, 10**12)
+    low = high = Fraction(401, 2)
+    first = theta.local(low, high, 64, Fraction(-50))
+    assert first is theta.local(low, high, 64, Fraction(-60))
+    assert 50 <= first.x < 60
+    with pytest.raises(check.limits.Rejected, match="τ before the start"):
+        theta.value((low, high, Fraction(-60), Fraction(-60)), 0, 64)
+
+
 def test_what_is_kept_for_one_disc_is_counted() -> None:
     """Three models for each anchor, and the series at the last two anchors: 4 bytes for 30 bits, at least."""
     model = local("2", "17/8", 60)
