@@ -65,7 +65,7 @@ class Cache:
             return None
         try:
             entry = _entry(json.loads(self._file(identifier).read_text(encoding="utf-8")), self.key)
-        except (OSError, ValueError, KeyError, TypeError):
+        except (OSError, ValueError, KeyError, TypeError, RecursionError):
             return None
         return entry if entry.identifier == identifier else None
 

@@ -96,7 +96,7 @@ def test_a_changed_file_is_not_read(tmp_path: Path, path: list[Any], value: Any)
     assert cache.recall("a") is None
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"entry": {}}'])
+@pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"entry": {}}', "[" * 100_000], ids=lambda text: text[:9])
 def test_a_file_that_is_none_is_not_read(tmp_path: Path, text: str) -> None:
     cache = Cache(tmp_path, sources=())
     cache.keep(PROVED)

@@ -150,6 +150,14 @@ def test_a_line_that_is_no_table_is_damaged(tmp_path: Path) -> None:
         StepJournal(tmp_path / "journal", {"question": 1})
 
 
+def test_a_line_that_is_nested_too_deeply_is_damaged(tmp_path: Path) -> None:
+    kept = tmp_path / "journal"
+    StepJournal(kept, {"question": 1})
+    kept.write_text(f"{kept.read_text()}{'[' * 100_000}\n")
+    with pytest.raises(ValueError, match="line 2 of the journal is damaged"):
+        StepJournal(kept, {"question": 1})
+
+
 @pytest.mark.parametrize("change", [shrunk, moved, lengthened, uncovered, rated, hostile])
 def test_a_changed_step_is_never_believed(
     whole: Whole, tmp_path: Path, change: Callable[[dict[str, Any]], None]

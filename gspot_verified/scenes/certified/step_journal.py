@@ -35,7 +35,7 @@ class StepJournal:
         try:
             digest, data = json.loads(line)
             whole = digest == self._digest(data)
-        except (ValueError, TypeError):
+        except (ValueError, TypeError, RecursionError):
             whole = False
         if not whole or not isinstance(data, dict):
             raise ValueError(

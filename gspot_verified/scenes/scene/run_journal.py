@@ -22,7 +22,7 @@ class RunJournal:
         self._file = JournalFile(path, asked, self.notes.append)
         try:
             self.pieces = [json.loads(line) for line in self._file.lines]
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
 
     def add(self, piece: dict[str, Any]) -> None:

@@ -100,7 +100,7 @@ def _read(line: str, path: str | Path) -> tuple[str, str, Answer]:
                 raise ValueError("the column is not over the range that was examined")
         if not (isinstance(lower, str) and isinstance(upper, str)):
             raise ValueError("the ends of a range must be texts")
-    except (ValueError, TypeError, KeyError, RecursionError) as error:
+    except (ValueError, TypeError, KeyError, OverflowError, RecursionError) as error:
         raise ValueError(f"{path}: a line of the journal cannot be read: {error}") from None
     return lower, upper, answer
 

@@ -21,9 +21,11 @@ def test_pieces_are_kept_in_order(tmp_path: Path) -> None:
         first.add({"piece": number})
     del first  # its lock
     assert RunJournal(kept, {"question": 1}).pieces == [{"piece": number} for number in range(3)]
-    kept.write_text(kept.read_text() + "{]\n")
-    with pytest.raises(ValueError, match=f"^{kept}: a line of the journal cannot be read: "):
-        RunJournal(kept, {"question": 1})
+    whole = kept.read_text()
+    for line in ("{]", "[" * 100_000):
+        kept.write_text(f"{whole}{line}\n")
+        with pytest.raises(ValueError, match=f"^{kept}: a line of the journal cannot be read: "):
+            RunJournal(kept, {"question": 1})
     with pytest.raises(ValueError, match="is not a journal of this question"):
         RunJournal(kept, {"question": 2})
 

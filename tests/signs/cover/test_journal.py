@@ -124,6 +124,7 @@ def test_a_journal_of_another_question_is_refused(tmp_path: Path) -> None:
         '["1","2",{"witness":["1"]}]', '["1","2",{"witness":["nan","2"]}]', '["1","2",{"column":["1","2"]}]',
         '["1","2",{"column":["1","2"],"pieces":[["spell",null,null,0]]}]',
         '["1","2",{"column":["1","3"],"pieces":[["laplace",null,null,0]]}]',
+        '["1","2",{"column":["1","2"],"pieces":[["laplace",null,null,Infinity]]}]',
         '["1","2",{"column":["1","2"],"pieces":[]}]',
         '["1","2",{"column":[null,"2"],"pieces":[["laplace",null,null,0]]}]', "",
     ],
