@@ -216,8 +216,9 @@ def test_the_column_of_the_slow_vector_is_paid_where_b_is_not_exact(monkeypatch:
         assert other > (1 << 250) > other - one
 
 
-def test_the_amplitude_moves_as_the_slow_part_and_the_fast_part_say() -> None:
-    of = made(least="1/4")
+@pytest.mark.parametrize("b", ["-3", "-1/2"])  # L > 0, L < 0
+def test_the_amplitude_moves_as_the_slow_part_and_the_fast_part_say(b: str) -> None:
+    of = made(b=b, least="1/4")
     low, high = map(real, of.carried(numbers()))
     moved, drifts = real(of.passed.moved), []
     for delta in (of.least, of.most):
