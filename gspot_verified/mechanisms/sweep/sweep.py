@@ -150,6 +150,7 @@ def _assembled(
         folds=tuple(folds),
         notes=mechanism.notes,
         budget=ended,
+        fixed=question.fixed,
     )
 
 

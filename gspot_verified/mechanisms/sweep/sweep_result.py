@@ -82,7 +82,8 @@ class Sweep(NoTruthValue, Written):
 
     ``start`` is where the spot was proved first, ``spot`` its state there. ``folds``: where it meets another one and
     vanishes (one parameter). ``notes`` say how the mechanism was read. ``budget``: that which ended before all pieces
-    that might have been divided were; None: none is left of those.
+    that might have been divided were; None: none is left of those. ``fixed``: components that keep their value: where
+    G-spots form a curve or a surface, others are other ones, and may be of another Case.
     """
 
     ask: ClassVar[str] = ".verdict.outcome says whether Case and side are settled on the whole range"
@@ -96,6 +97,7 @@ class Sweep(NoTruthValue, Written):
     folds: tuple[Fold, ...] = ()
     notes: tuple[str, ...] = ()
     budget: int | None = None
+    fixed: tuple[str, ...] = ()
     _verdict: list[Verdict] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -131,9 +133,8 @@ class Sweep(NoTruthValue, Written):
         on_line = "brackets where one quantity passes zero or the spot vanishes"
         besides = on_line if len(self.axes) == 1 else "pieces along curves where one quantity may pass zero"
         ended = ", or that it is no more," if self._count(Kind.BEYOND) else ""
-        statement = (
-            f"{self.name}: Case and side of the continued G-spot{ended} for every {over}, except in the {besides}"
-        )
+        spot = f"the continued G-spot with {', '.join(self.fixed)} fixed" if self.fixed else "the continued G-spot"
+        statement = f"{self.name}: Case and side of {spot}{ended} for every {over}, except in the {besides}"
         counts = self._swept.counts()
         left = sum(count for what, count in counts.items() if what.kind in _UNKNOWN) + self._wide_folds()
         half = sum(not crossing.proved for crossing in self.crossings)

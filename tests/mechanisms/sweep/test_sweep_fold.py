@@ -99,7 +99,8 @@ def test_a_fold_says_how_far_the_two_spots_were_followed() -> None:
     (fold,) = found.folds
     assert f"they are there for larger mu, as far as {fold.reach}; " in str(fold)
     assert fold.reach < 2
-    assert "of the continued G-spot, or that it is no more, for every mu in [6/5, 2], except" in found.verdict.statement
+    said = "of the continued G-spot with X, X_dot fixed, or that it is no more, for every mu in [6/5, 2], except"
+    assert said in found.verdict.statement
 
 
 def test_a_range_too_short_to_be_rounded_inward_is_exact() -> None:
