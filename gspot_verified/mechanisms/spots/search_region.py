@@ -123,6 +123,7 @@ class Region:
                 lower, upper = self._given[i]
                 text = f"[{text_of_each(lower)}, {text_of_each(upper)}]"
                 text += "; fixed" if explicit.get(i) == fixed_name(word) else ""
+                text += "; free: no condition holds it" if i in apart.free else ""
             elif i in explicit:
                 text = "fixed" if explicit[i] == fixed_name(word) else f"follows from {explicit[i]} = 0"
             elif i in apart.free:
@@ -162,7 +163,7 @@ class Region:
         matrix or mu depends on them; ``one_period``: angles with which these do not repeat.
         """
         explicit = {each.index: each.condition for each in apart.explicit}
-        angles, bounded, every, free, held = [], [], [], [], []
+        angles, bounded, every, free, held = (list[str]() for _ in range(5))
         for i, word in enumerate(self._state):
             if i in at_value:
                 bounded.append(f"{word} = {at_value[i]} (the mass matrix or mu depends on it, no condition does)")
@@ -171,7 +172,8 @@ class Region:
                 bounded.append(f"the angle {word}, one period of it as shown {repeats}")
             elif i in self._given:
                 lower, upper = self._given[i]
-                bounded.append(f"{word} in [{text_of_each(lower)}, {text_of_each(upper)}]")
+                within = f"{word} in [{text_of_each(lower)}, {text_of_each(upper)}]"
+                (free if i in apart.free else bounded).append(within)
             elif i in explicit:
                 continue
             elif i in apart.free:

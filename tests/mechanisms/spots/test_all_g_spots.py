@@ -20,7 +20,7 @@ from samples.strategies import to_fmpq
 from gspot_verified.functions.box_program import BoxProgram
 from gspot_verified.functions.expressions import Variable
 from gspot_verified.mechanisms.input.given import from_fields, lagrangian
-from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
+from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, Place
 from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.spots.all_g_spots import _Search, _singular, find_g_spots
 from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_spot
@@ -121,6 +121,17 @@ def test_an_interval_of_a_fixed_component_does_not_free_it() -> None:
     found = find_g_spots(rod, {"X": (-1, 2), "X_dot": (1, 3)})
     assert found.verdict.outcome is Outcome.PROVED
     assert found.verdict.statement.endswith(f"X in [-1, 2]; X_dot in [1, 3]; every value of theta_dot; {at}")
+
+
+def test_an_interval_of_a_free_component_is_no_condition() -> None:
+    """There are four for each X, and not "exactly 4 with X in [1, 2]"."""
+    rod = replace(classical_rod(Fraction(7, 5)), place=Place())
+    found = find_g_spots(rod, {"X": (1, 2)})
+    assert found.verdict.outcome is Outcome.PROVED
+    assert found.verdict.statement.endswith(
+        "every angle theta; every value of theta_dot; any X in [1, 2], X_dot (no condition holds them)"
+    )
+    assert dict(found.searched)["X"] == "[1, 2]; free: no condition holds it"
 
 
 @pytest.mark.parametrize("digits", [6, 12, 24, 45])
@@ -742,7 +753,7 @@ def test_what_the_mass_matrix_holds_and_no_condition_is_stated_at_the_value_show
     assert "any s, X_dot, s_dot (no condition holds them)" in found.verdict.statement
     assert "X = 1.5" in find_g_spots(beside("4 - X^2"), {"X": ("1/2", "5/2")}).verdict.statement
     within = find_g_spots(beside("4 - X^2"), {"X": (-1, 1)})
-    assert "exactly 4 G-spots in the region: every angle theta; X in [-1, 1];" in within.verdict.statement
+    assert "any X in [-1, 1], s, X_dot, s_dot (no condition holds them)" in within.verdict.statement
     plain = find_g_spots(beside("4"), {"X": (-1, 1)}).verdict.evidence
     assert within.verdict.evidence is not None
     assert plain is not None

@@ -194,7 +194,7 @@ def test_what_follows_is_fixed_or_never_searched_is_said() -> None:
     closed = take_apart({"p": THETA * THETA - HALF}, 4)
     region = search_region(tilted(), closed.functions, closed, {"q": (0, "3/2")})
     assert region.in_words(closed, {}) == (
-        "q in [0, 3/2]; every value of theta; any q_dot, theta_dot (no condition holds them)"
+        "every value of theta; any q in [0, 3/2], q_dot, theta_dot (no condition holds them)"
     )
     assert dict(search_region(tilted(), closed.functions, closed, {}).searched(closed))["theta"] == "every value"
 
