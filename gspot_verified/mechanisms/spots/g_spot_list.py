@@ -38,7 +38,8 @@ class Left(NoTruthValue, Written):
 @dataclass(frozen=True)
 class Patch(NoTruthValue, Written):
     """For all values of ``parameters`` in their intervals exactly one G-spot has the other components in ``box``, where
-    those of ``free``, which no condition holds, have the values given.
+    those of ``free``, which no condition holds, have the values given; fixed components have the values that the region
+    of :class:`GSpots` names, and its conditions J hold.
 
     ``dimension`` is that of the curve or surface which the G-spots form there, free components included. ``shown`` is
     what was compared for it, for the intervals as they are written.
@@ -156,7 +157,7 @@ class GSpots(NoTruthValue, Written):
     def verdict(self) -> Verdict:
         """On the statement that the region has G-spots, which are those of the list."""
         if self.patch is not None and self.patch.shown is not None:
-            form = f"{self.name} has G-spots that form a {shape(self.patch.dimension)}"
+            form = f"{self.name} has G-spots that form a {shape(self.patch.dimension)} in the region: {self.region}"
             return Verdict.proved(form, self.patch.shown, str(self.patch))
         shown = self._all_shown if self.patch is None else None
         if shown is not None:

@@ -357,6 +357,19 @@ def test_more_unknowns_than_conditions_give_a_patch_or_a_proof_of_absence() -> N
     assert free.patch.dimension == 3
 
 
+def test_a_patch_names_what_is_fixed() -> None:
+    """For each X another X_dot: "for all th_dot exactly one with X_dot in [-3.68, -3.43]" holds at one X."""
+    mass, forces = [[1, 0, 0], [0, 1, 0], [0, 0, "1/3"]], [0, "-3/5 - X_dot/5 - X/3", 0]
+    for held, said in (({"fixed": ["X"]}, "; X = 0 fixed"), ({"conditions": ["X"]}, "; the given conditions J = 0")):
+        dragged = lagrangian(
+            "dragged", ["X", "Y", "th"], mass, forces, "X + cos(th)", "Y - sin(th)", 2, place={"X": 0}, **held
+        )
+        verdict = find_g_spots(dragged).verdict
+        assert verdict.outcome is Outcome.PROVED
+        assert verdict.statement.startswith("dragged has G-spots that form a curve in the region: every angle th; ")
+        assert verdict.statement.endswith(said)
+
+
 def test_what_may_vanish_gives_no_patch() -> None:
     """b = w (w^2 - 2) + 10^-180 is not 0 at the zeros of p = w^2 - 2, but no precision in use shows it."""
     state = ["x", "u", "y", "v", "w", "s", "r"]
