@@ -27,6 +27,7 @@ from gspot_verified.signs.cover.refutation import refutation
 from gspot_verified.work.ranges import Range
 
 _CONSTANT_DIGITS = 4  # to which kappa and the gap are rounded up
+_MOST_KAPPA = 10**100  # of what is stated: it may be e^(10^12) where epsilon is large, which no memory holds
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +128,7 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
         )
     kappa, uniform = None, None
     constant = uniform_constant(profile, lower, (leading.lower, leading.upper))
-    if constant is not None and constant[0].is_finite():
+    if constant is not None and constant[0] < _MOST_KAPPA:
         kappa = rounded_up(constant[0], _CONSTANT_DIGITS)
         both = [crossing.evidence, leading.verdict.evidence]
         known = theorem("proofs/monotone.md, section 9", *both, constant[1], at_most(constant[0], kappa))

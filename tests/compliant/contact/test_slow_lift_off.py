@@ -231,6 +231,14 @@ def test_without_a_hypothesis_of_the_constant_nothing_is_said_for_smaller_epsilo
     assert slow_lift_off(force, leading, START, 6).uniform is None
 
 
+def test_a_constant_that_no_memory_holds_is_not_stated() -> None:
+    """kappa is e^(3.7 10^12) here: to write it ended the process; at smaller epsilon it had millions of digits."""
+    found = iwc(alpha_1=-187500, alpha_2="-39/32", alpha_3="-81937500/101", c1="1/500000000", epsilon="7/3", digits=3)
+    assert found.lift_off is not None
+    assert (found.lift_off.kappa, found.lift_off.uniform) == (None, None)
+    assert found.verdict.outcome is Outcome.PROVED
+
+
 def test_the_bracket_and_the_lines_of_the_text() -> None:
     found = found_at(contact_force("3/2", c1=-1), fmpq(1, 1000), 6)
     assert found.bracket == (found.lower, found.upper) != (None, None)
