@@ -14,6 +14,7 @@ from typing import ClassVar, Literal
 from flint import arb, fmpq
 
 from gspot_verified.certificates.text import certificate_text, write_certificate
+from gspot_verified.compliant.contact.threshold import rounded
 from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.leading_order.iwc import IwcResult
 from gspot_verified.numbers.balls import approximate, hull, sign_of, working_bits
@@ -160,17 +161,11 @@ def iwc_certificate(leading: IwcResult) -> ForceCertificate:
     if leading.force.takes_impact:
         if leading.every_epsilon or leading.epsilon_0 is None:
             raise NotProvable("there is no least upper bound of ε to certify")
-        return force_certificate(leading.force, leading.start, _two_digits(leading.epsilon_0 * fmpq(99, 100)))
+        return force_certificate(leading.force, leading.start, rounded(leading.epsilon_0 * fmpq(99, 100), 2))
     time = leading.lift_off
     if time is None or time.upper is None:
         raise NotProvable("no lift-off time was bracketed")
     return lift_off_certificate(leading.force, fmpq(int((time.upper * 1000).floor()) + 1, 1000), time.epsilon)
-
-
-def _two_digits(value: fmpq) -> fmpq:
-    """The value rounded down to two decimal digits."""
-    digits = 1 - math.floor(math.log10(approximate(value)))
-    return fmpq(int((value * fmpq(10) ** digits).floor())) * fmpq(10) ** -digits
 
 
 def check_ratio(beta: fmpq) -> None:
@@ -193,7 +188,7 @@ def _level(force: ContactForce, epsilon: fmpq, direction: int) -> fmpq:
     exact = force.level(epsilon, 2 * _DIGITS)
     with working_bits(128):
         value = exact / force.beta
-        digits = _DIGITS - math.floor(math.log10(approximate(value)))
+        digits = _DIGITS - math.floor(approximate(value.log() / arb(10).log()))  # a double may not hold the value
         scaled = value * arb(10) ** digits
         number = scaled.lower().floor() if direction < 0 else scaled.upper().ceil()
         whole = number.unique_fmpz()

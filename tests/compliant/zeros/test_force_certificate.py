@@ -69,6 +69,12 @@ def test_lift_off_is_certified_just_beyond_the_leading_order_time(beta: str) -> 
         lift_off_certificate(force, time.upper - fmpq(1, 1000), fmpq(1, 1000))
 
 
+@pytest.mark.parametrize("charge", ["-1e400", "1e-400", "-1e-400"])
+def test_numbers_that_no_double_holds(charge: str) -> None:
+    found = iwc_certificate(leading_order_iwc("5/2", c1=charge))
+    assert check.main.check_text(found.text().encode()).startswith("on the slow manifold of the compliant model")
+
+
 def test_the_statements_are_true_of_the_compliant_model() -> None:
     """Theorem C's conclusion at points, by the exact solution at finite epsilon: no formula of the checker."""
     for epsilon in (fmpq(1, 10), fmpq(1, 50), fmpq(1, 10**6)):
@@ -178,7 +184,7 @@ def test_other_betas_are_refused(beta: str) -> None:
 
 
 @pytest.mark.parametrize("beta", ["3/2", "9/2"])
-@pytest.mark.parametrize("epsilon", ["1/1000", "1e-20", "3"])
+@pytest.mark.parametrize("epsilon", ["1/1000", "1e-20", "3", "1e-400"])
 def test_the_level_is_rounded_away_from_what_would_prove_more(beta: str, epsilon: str) -> None:
     """Down for the force, up for lift-off; twelve digits."""
     force = contact_force(beta)
