@@ -149,7 +149,7 @@ def rational_scale(epsilon: fmpq, direction: int) -> fmpq:
     if epsilon == 0:
         return fmpq(0)
     scale = fmpq(2) ** (_SCALE_BITS - int((1 / epsilon).ceil()).bit_length() // -3)
-    root = fmpq(round(approximate(epsilon / 2) ** (1 / 3) * approximate(scale)) + direction)
+    root = fmpq(round(approximate(epsilon / 2 * scale**3) ** (1 / 3)) + direction)
     root /= scale
     if (2 * root**3 - epsilon) * direction < 0:
         raise ArithmeticError("the cube root was not enclosed; please report this")

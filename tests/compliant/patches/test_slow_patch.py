@@ -159,7 +159,10 @@ def test_node_bounds(count: int) -> None:
         assert sum(abs(value) for value in lagrange) <= found.lebesgue
 
 
-@pytest.mark.parametrize("epsilon", [fmpq(10) ** -300, fmpq(1, 10**6), fmpq(1, 7), fmpq(2), fmpq(10), fmpq(100)])
+@pytest.mark.parametrize(
+    "epsilon",
+    [fmpq(10) ** -400, fmpq(10) ** -320, fmpq(10) ** -300, fmpq(1, 10**6), fmpq(1, 7), fmpq(2), fmpq(10), fmpq(100)],
+)
 def test_the_cube_root_is_enclosed(epsilon: fmpq) -> None:
     low, high = rational_scale(epsilon, -1), rational_scale(epsilon, 1)
     assert low > 0
