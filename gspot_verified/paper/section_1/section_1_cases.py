@@ -133,8 +133,8 @@ def _case(name: str) -> Entry:
             "the determinant of Gspot1, Gspot2",
             all_of([force_moves(name), is_stable(name)]),
         ),
-        note="On the one line α_2 p = (α_1 - α_3) b the G-spot is reached with this force in Case II too, and for "
-        "α_1 < 0 < α_3, α_2 > 0 (1-attracting-signs)."
+        note="On the one line α_2 p = (α_1 - α_3) b the G-spot is reached with this force in Case II too "
+        "(2-trivial-contact), and for α_1 < 0 < α_3, α_2 > 0 (1-attracting-signs)."
         if name == "1-case-III"
         else "",
     )

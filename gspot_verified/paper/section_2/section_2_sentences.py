@@ -395,17 +395,17 @@ def _signs() -> Entry:
         "2-signs-at-p-0",
         "lines 680 to 687",
         r"p\approx0:\quad p^->0,\quad k^+<0,\quad k^->0",
-        "Where p = 0 and AC - B² > 0, and so near it: the Painlevé parameter of negative slip is positive, p⁻ = 2C - "
-        "p, and the contact force of positive (negative) slip accelerates the contact point backwards (forwards), k⁺ "
-        "< 0 < k⁻",
+        "Where p = 0, C > 0, μ > 0 and AC - B² > 0, and so near it: the Painlevé parameter of negative slip is "
+        "positive, p⁻ = 2C - p, and the contact force of positive (negative) slip accelerates the contact point "
+        "backwards (forwards), k⁺ < 0 < k⁻",
         Rung.EXACT.check(
             "p + p⁻ = 2C; B k⁺ = -(AC - B²) + A p; k⁻ = k⁺ + 2μA = B + μA with B = C/μ > 0",
             all_of([sums_to_twice_c(), forward_force_slows()]),
         ),
         Rung.EXACT.check("C = μB and A = (B² + D)/C put in, D = AC - B², all symbols positive", signs_at_p_0()),
-        note="A, C and AC - B² are positive for independent gradients of the two contact coordinates (1-mass-matrix); "
-        "where they are dependent k⁺ is 0 at p = 0. The paper says of p⁻ that it must be positive, and of the "
-        "accelerations that they typically have these signs.",
+        note="A, C and AC - B² are positive for independent gradients of the two contact coordinates "
+        "(1-mass-matrix); where they are dependent, that of y not 0, k⁺ is 0 at p = 0. The paper says of p⁻ that it "
+        "must be positive, and of the accelerations that they typically have these signs.",
     )
 
 
