@@ -254,7 +254,8 @@ def _large_slip() -> Entry:
         "lines 937 to 940",
         r"\text{for large enough } u(0)\ \text{lift-off occurs before the contact sticks}",
         f"χ = 1, ε = {EPSILON}, β = {BETA}: for ν = 1/4 and every u(0) >= {FIRST_SLIP}, for ν = 4 and every u(0) >= "
-        f"{FASTER[0]}, the contact lifts off and has not stuck; the motion in slip does not depend on u",
+        f"{FASTER[0]}, the contact lifts off and has not stuck; the motion of p, b, y, v and z in slip does not "
+        "depend on u",
         Rung.BALLS.check(
             f"certified runs: ν = 1/4 with u(0) = {FIRST_SLIP}, ν = 4 with u(0) = {FASTER[0]}, lift-off is the only "
             "event; eqs. udot, newex1 to newex5 in slip, derived by u: no rate has u, so with a larger u(0) u alone is "

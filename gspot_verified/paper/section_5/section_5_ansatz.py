@@ -200,8 +200,8 @@ def _p0() -> Entry:
             example,
             fault="its p_0 is -χ b_0/(β + 1), which is 0 only for χ = 0",
         ),
-        corrected="p_0 = (α_1)_ξ G b_0/((β + 1) α_3) at ξ*; it is 0 only when the derivative of α_1 along G vanishes "
-        "there (in the extended example p_0 = -χ b_0/(β + 1))",
+        corrected="p_0 = (α_1)_ξ G b_0/((β + 1) α_3) at ξ*; for b_0 not 0 it is 0 only when the derivative of α_1 "
+        "along G vanishes there (in the extended example p_0 = -χ b_0/(β + 1))",
         note="p_0 enters at a higher order only: r, ξ_0, λ_0 hold.",
     )
 

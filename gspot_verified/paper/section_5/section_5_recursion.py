@@ -151,6 +151,7 @@ def _scaled_start() -> Entry:
             example,
             Rung.POINTS,
         ),
+        note="At points p(0) is 0, and so 0 = 0 stands for it: that p has δ² is shown by the first check alone.",
     )
 
 
@@ -338,10 +339,10 @@ def _monomial() -> Entry:
     operator = ALGEBRA.substitute(ALGEBRA.read(PRINTED["5-third-order"]["third-order_b"]), known)
 
     def explicit(parts: Parts) -> list[fmpq_mpoly]:
-        # Both sides have degree at most 6 in k, so seven values of k determine them.
+        # Both sides have degree at most 6 in k, so seven values of k determine them; at k = 0 s^k and s^(k-3) are both 1.
         powers_of_k = ALGEBRA.coefficients(parts["image"], "k")
         found = [value for power, value in powers_of_k.items() if power > 6]
-        for k in range(7):
+        for k in range(1, 8):
             powers = [ALGEBRA.derivative(s**k, {"s": ALGEBRA.constant(1)}, j) for j in range(4)]
             images = {"k": ALGEBRA.constant(k), "u3": s**k, "u0": s ** max(k - 3, 0)}
             found.append(ALGEBRA.replaced(operator, "b", powers, s) - ALGEBRA.substitute(parts["image"], images))
@@ -362,7 +363,7 @@ def _monomial() -> Entry:
         r"(k\alpha_1^*-\alpha_3^*)s^k+k(k-1)(k-2)s^{k-3}",
         "For b_n = s^k the left-hand side of third-order_b is (k α_1 - α_3) s^k + k (k-1) (k-2) s^(k-3)",
         this.check(
-            "s^k for k = 0, ..., 6; both sides have degree at most 6 in k",
+            "s^k for k = 1, ..., 7; both sides have degree at most 6 in k",
             explicit,
             fault="the term with s^(k-3) has half its value: for k = 3 it is 12, not 6",
         ),
