@@ -339,7 +339,7 @@ def _monomial() -> Entry:
     operator = ALGEBRA.substitute(ALGEBRA.read(PRINTED["5-third-order"]["third-order_b"]), known)
 
     def explicit(parts: Parts) -> list[fmpq_mpoly]:
-        # Both sides have degree at most 6 in k, so seven values of k determine them; at k = 0 s^k and s^(k-3) are both 1.
+        # Both sides have degree at most 6 in k, so seven values of k determine them (at k = 0 both powers of s are 1).
         powers_of_k = ALGEBRA.coefficients(parts["image"], "k")
         found = [value for power, value in powers_of_k.items() if power > 6]
         for k in range(1, 8):
