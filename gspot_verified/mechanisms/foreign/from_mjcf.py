@@ -34,6 +34,10 @@ _REASONS = {
     "frame": "moves what stands in it: put it into the elements",
 }
 _NO_EFFECT = ("asset", "visual", "statistic", "size", "custom", "contact", "keyframe", "sensor")
+_DEFAULTED = (
+    "mesh", "material", "geom", "site", "camera", "light", "pair", "equality", "tendon", "general", "motor", "position",
+    "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
+)  # fmt: skip
 _REFUSED_JOINT = ("frictionloss", "springdamper")
 _REFUSED_COMPILER = ("settotalmass", "boundmass", "boundinertia")
 _REFUSED_OPTION = ("density", "viscosity")
@@ -148,7 +152,10 @@ class _Model:
 
     def _default(self, element: XmlElement, above: Mapping[str, str], is_main: bool = False) -> None:
         element.only_attributes(("class",))
+        element.only(("joint", "default"), _DEFAULTED, _REASONS)
         joint = element.one("joint")
+        if joint is not None:
+            joint.only_attributes(_JOINT)
         own = dict(above) | ({} if joint is None else joint.attributes)
         name = element.text("class", "main" if is_main else None)
         if not is_main and name in self._defaults:

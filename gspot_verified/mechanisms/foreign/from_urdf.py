@@ -23,6 +23,7 @@ _REASONS = {
     "mimic": "makes one joint follow another: no coupled joints are taken",
 }
 _MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+_LIMIT = ("lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk")
 _HINGES, _SLIDES = ("revolute", "continuous"), ("prismatic",)
 
 
@@ -49,8 +50,8 @@ def from_urdf(
 
     Carried: links in a tree, revolute, continuous and prismatic joints (all hinges parallel to the normal of the
     plane), masses and inertias, damping of joints. The root link is fixed. Meshes and limits have no effect. Refused,
-    by name: floating, planar and mimic joints, closed loops, dry friction of joints, elements that are not known. The
-    notes of the mechanism say how it was projected.
+    by name: floating, planar and mimic joints, closed loops, dry friction of joints, elements and attributes that are
+    not known. The notes of the mechanism say how it was projected.
 
     :param source: a file, or a text that begins with ``<``.
     :param contact_point: in the frame of the link; y, the distance from the surface, is its place along ``normal`` less
@@ -89,6 +90,7 @@ class _Robot:
 
     def __init__(self, root: XmlElement, without: Sequence[str]) -> None:
         root.only(("link", "joint"), ("material",), _REASONS)
+        root.only_attributes(("name", "version"))
         self._root, self._without = root, without
         self._links = {link.text("name"): link for link in root.children("link")}
         if len(self._links) != len(list(root.children("link"))):
@@ -174,6 +176,7 @@ class _Robot:
 
         known = ("parent", "child", "origin", "axis", "limit", "dynamics")
         joint.only(known, ("calibration", "safety_controller"), _REASONS)
+        joint.only_attributes(("name", "type"))
         kind = joint.text("type")
         if kind == "fixed":
             return None
@@ -185,7 +188,10 @@ class _Robot:
         axis = sympy.ImmutableMatrix([1, 0, 0] if axis_element is None else axis_element.numbers("xyz", 3))
         if axis.is_zero_matrix:
             raise joint.refuse("the axis must not be 0")
-        self._limited = self._limited or joint.one("limit") is not None
+        limit = joint.one("limit")
+        if limit is not None:
+            limit.only_attributes(_LIMIT)
+            self._limited = True
         dynamics = joint.one("dynamics")
         if dynamics is not None:
             dynamics.only_attributes(("damping", "friction"))
@@ -204,11 +210,13 @@ class _Robot:
 
         element = self._links[link]
         element.only(("inertial",), ("visual", "collision"), _REASONS)
+        element.only_attributes(("name",))
         inertial = element.one("inertial")
         zero = sympy.ImmutableMatrix(sympy.zeros(3, 3))
         if inertial is None:
             return Body(link, joints, turn, origin, sympy.Integer(0), origin, zero)
         inertial.only(("origin", "mass", "inertia"), (), _REASONS)
+        inertial.only_attributes(())
         mass, inertia = inertial.one("mass"), inertial.one("inertia")
         if mass is None or inertia is None:
             raise inertial.refuse("the elements 'mass' and 'inertia' are needed")

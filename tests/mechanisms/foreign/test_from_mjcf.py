@@ -180,6 +180,12 @@ def test_sections_that_stand_twice_are_merged(split: str, one: str) -> None:
         ("<worldbody>", '<option Gravity="0 0 -1"/><worldbody>', "'Gravity' is not known; did you mean 'gravity'"),
         ("<worldbody>", '<option><flag gravty="disable"/></option><worldbody>', "'gravty' is not known; did you mean"),
         ("<worldbody>", '<default damping="1"/><worldbody>', "'damping' is not known"),
+        ("<worldbody>", '<default><jiont damping="1"/></default><worldbody>', "'jiont' is not known; did you mean"),
+        (
+            "<worldbody>",
+            '<default><default class="leg"><joint dampng="1"/></default></default><worldbody>',
+            "'dampng' is not known; did you mean",
+        ),
         ("<worldbody>", '<worldbody euler="0 90 0">', "'euler' is not known"),
         ("<mujoco ", '<mujoco angle="radian" ', "'angle' is not known"),
         (HINGE, "<freejoint/>", "body 'lower': the element 'freejoint' moves in space"),
