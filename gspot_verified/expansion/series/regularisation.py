@@ -11,6 +11,7 @@ The leading order holds h alone: it is the paper's (h = 2) with ε sqrt(h/2) in 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from flint import fmpq
 
@@ -21,6 +22,7 @@ from gspot_verified.numbers.balls import ExactInput, exact
 class Regularisation:
     """k_1 = ``k_1``/ε^2, k_2 = ``k_2``/ε^2, c = ``c``/ε.
 
+    :raises TypeError: a number that is not exact, as a float.
     :raises ValueError: not rational, k_1 or k_2 not positive, or c negative.
 
     >>> Regularisation.of(2, 1, "1/2").compliance
@@ -32,17 +34,19 @@ class Regularisation:
     c: fmpq
 
     def __post_init__(self) -> None:
+        for name in ("k_1", "k_2", "c"):
+            value = exact(getattr(self, name), name)
+            if not isinstance(value, fmpq):
+                raise ValueError(f"{name} must be a rational number, got a ball")
+            object.__setattr__(self, name, value)
         if not (self.k_1 > 0 and self.k_2 > 0 and self.c >= 0):
             raise ValueError(f"the contact needs k_1 > 0, k_2 > 0, c >= 0, got {self.k_1}, {self.k_2}, {self.c}")
 
     @classmethod
     def of(cls, k_1: ExactInput, k_2: ExactInput, c: ExactInput) -> Regularisation:
         """The same from exact inputs."""
-        values = [exact(value, name) for name, value in (("k_1", k_1), ("k_2", k_2), ("c", c))]
-        numbers = [value for value in values if isinstance(value, fmpq)]
-        if len(numbers) != len(values):
-            raise ValueError("k_1, k_2 and c must be rational numbers")
-        return cls(*numbers)
+        given: Any = (k_1, k_2, c)
+        return cls(*given)
 
     @property
     def compliance(self) -> fmpq:

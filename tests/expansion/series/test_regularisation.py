@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 
 from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
 from gspot_verified.expansion.series.system import System
@@ -31,6 +32,19 @@ def added(*parts: tuple[fmpq, int, int, Table]) -> Table:
 
 def slope(table: Table) -> Table:
     return {(k - 1, m): k * value for (k, m), value in table.items() if k}
+
+
+@pytest.mark.parametrize("name", ["k_1", "k_2", "c"])
+def test_constants_given_by_hand_are_plain_and_exact(name: str) -> None:
+    """Balls and floats passed, and the first sum with them was a bare TypeError."""
+    given: dict[str, Any] = {"k_1": fmpq(2), "k_2": fmpq(3), "c": fmpq(1)}
+    with pytest.raises(ValueError, match=f"{name} must be a rational number, got a ball"):
+        Regularisation(**given | {name: arb("2.5", "0.1")})
+    with pytest.raises(TypeError, match=f"{name}: a float is not taken as exact"):
+        Regularisation(**given | {name: 2.5})
+    made = Regularisation(**given | {name: 2})
+    assert type(getattr(made, name)) is fmpq
+    assert made == Regularisation.of(**given | {name: "2"})
 
 
 @pytest.mark.parametrize("regularisation", OTHERS, ids=str)
