@@ -33,6 +33,7 @@ from gspot_verified.numbers.balls import (
     ExactInput,
     ball,
     bits_for_digits,
+    checked_bits,
     exact,
     relative_bits,
     working_bits,
@@ -62,8 +63,7 @@ def expand_in_balls(
     (True, True)
     """
     order = checked_order(order)
-    if type(bits) is not int or not _LEAST_BITS <= bits <= _MOST_BITS:
-        raise ValueError(f"bits must be an int in {_LEAST_BITS}..{_MOST_BITS}, got {bits!r}")
+    bits = checked_bits(bits, _LEAST_BITS, _MOST_BITS)
     trajectory = terms_of(_in_balls(system, bits), order, bits, progress)
     certain = certain_bits_of(trajectory)
     assert certain is not None

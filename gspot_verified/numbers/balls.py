@@ -108,6 +108,19 @@ class series_length:
         _lock.release()
 
 
+def checked_bits(bits: int, least: int, most: int = MAX_WORKING_BITS, name: str = "bits") -> int:
+    """The same number of bits that a user gave.
+
+    :raises ValueError: no int, or not in least..most.
+
+    >>> checked_bits(128, 2)
+    128
+    """
+    if type(bits) is not int or not least <= bits <= most:
+        raise ValueError(f"{name} must be an int in {least}..{most}, got {bits!r}")
+    return bits
+
+
 def current_bits() -> int:
     """The working precision in force, in bits."""
     return int(ctx.prec)

@@ -39,7 +39,7 @@ from gspot_verified.mechanisms.spots.spot_conditions import Stage, TakenApart, c
 from gspot_verified.mechanisms.spots.spot_patch import find_patch
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, Zero, Zeros, ZeroSearch, clusters
 from gspot_verified.mechanisms.zeros.velocity_roots import VelocityRoots
-from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, nonfinite, working_bits
+from gspot_verified.numbers.balls import ExactInput, add_remainder, ball, checked_bits, nonfinite, working_bits
 from gspot_verified.numbers.evidence import differ, equal, every, inside
 from gspot_verified.numbers.inner_text import in_inner_interval, inner_text
 from gspot_verified.numbers.verdict import Evidence
@@ -113,6 +113,7 @@ def find_g_spots(
     is found in closed form; the result says what was searched. ``budget`` is the number of boxes that are looked at.
     The place that the mechanism names is used for its fixed components and for components that no condition holds.
 
+    :raises ValueError: ``bits`` is no int, or below 2; ``budget`` is no int, or below 1.
     :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
 
     >>> from gspot_verified import load
@@ -124,6 +125,7 @@ def find_g_spots(
     """
     if type(budget) is not int or budget < 1:
         raise ValueError(f"budget: expected a number of boxes, 1 or more, got {budget!r}")
+    bits = checked_bits(bits, 2)
     shifted = shift(mechanism)
     with working_bits(bits + _EXTRA_BITS):
         return _Search(shifted, box or {}, bits, Budget(budget)).run()

@@ -28,7 +28,7 @@ from gspot_verified.mechanisms.spots.search_region import fixed_name
 from gspot_verified.mechanisms.spots.sign_of_p import widest
 from gspot_verified.mechanisms.spots.spot_conditions import components_of, take_apart
 from gspot_verified.mechanisms.zeros.all_zeros import Box, Budget, ZeroSearch, halves
-from gspot_verified.numbers.balls import ShownBall, ball_text, hull, nonfinite, working_bits
+from gspot_verified.numbers.balls import ShownBall, ball_text, checked_bits, hull, nonfinite, working_bits
 from gspot_verified.numbers.short_text import table_text
 from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
@@ -124,6 +124,7 @@ def critical_friction(mechanism: Mechanism, bits: int = DEFAULT_BITS, budget: in
     Found for mechanisms whose B, C and y depend on angles only, after a translation is eliminated by y = 0, and on
     components that are fixed in the mechanism's place: these keep their values there.
 
+    :raises ValueError: ``bits`` is no int, or below 2.
     :raises MechanismError: the mechanism is not complete.
 
     >>> from gspot_verified import load
@@ -131,6 +132,7 @@ def critical_friction(mechanism: Mechanism, bits: int = DEFAULT_BITS, budget: in
     >>> critical.value is not None and critical.value.overlaps(arb(4) / 3)
     True
     """
+    bits = checked_bits(bits, 2)
     with working_bits(bits + _EXTRA_BITS):
         return critical_friction_of(shift(mechanism, slip_speed=True), Budget(budget))
 

@@ -25,7 +25,7 @@ from gspot_verified.mechanisms.formulas.simplify import constant, product_of, ra
 from gspot_verified.mechanisms.formulas.symbol import Symbol
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.zeros.newton import NotFoundError, newton_point, proved_box
-from gspot_verified.numbers.balls import Exact, ball_text, exact, working_bits
+from gspot_verified.numbers.balls import Exact, ball_text, checked_bits, exact, working_bits
 from gspot_verified.numbers.evidence import every
 from gspot_verified.numbers.short_text import short_text, table_text
 from gspot_verified.numbers.verdict import Evidence
@@ -104,6 +104,7 @@ def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
     Exact when the place is rational and everything there is; otherwise a box that holds exactly one G-spot (with the
     conditions J), with a proof.
 
+    :raises ValueError: ``bits`` is no int, or below 2.
     :raises NotThereError: the place is no G-spot.
     :raises GSpotError: the conditions are degenerate, or nothing could be proved.
     :raises MechanismError: the mechanism is not complete.
@@ -113,6 +114,7 @@ def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
     >>> spot.exact, spot.to_json()["psi"], spot.to_json()["phi"]
     (True, '-2/5', 'phi_ref')
     """
+    bits = checked_bits(bits, 2)
     shifted = shift(mechanism)
     missing = [word for word in mechanism.state if word not in dict(mechanism.place.values)]
     if missing:

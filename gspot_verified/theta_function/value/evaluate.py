@@ -10,11 +10,11 @@ from typing import Any, ClassVar, cast, overload
 from flint import acb, arb, fmpq, fmpq_poly, fmpz
 
 from gspot_verified.numbers.balls import (
-    MAX_WORKING_BITS,
     Exact,
     ExactInput,
     ball_text,
     bits_for_digits,
+    checked_bits,
     is_exact,
     relative_bits,
     shrink_to_bits,
@@ -119,8 +119,8 @@ def evaluate(
     [0.1550477658 +/- 4.01e-11] + [6.813060144 +/- 4.40e-10]i
     """
     goal = bits_for_digits(digits)
-    if max_bits is not None and not 64 <= max_bits <= MAX_WORKING_BITS:
-        raise ValueError(f"max_bits must lie in 64..{MAX_WORKING_BITS}, got {max_bits}")
+    if max_bits is not None:
+        max_bits = checked_bits(max_bits, 64, name="max_bits")
     if is_complex(tau):
         place, route, bits, reason = _enclose_complex(tau, beta, derivative, goal, max_bits)
         reached = relative_bits(place) >= goal

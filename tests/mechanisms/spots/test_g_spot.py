@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -19,10 +20,14 @@ from gspot_verified.mechanisms.formulas.simplify import constant, product_of, su
 from gspot_verified.mechanisms.input.given import from_fields, lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.spots.all_g_spots import find_g_spots
+from gspot_verified.mechanisms.spots.classify import classify
+from gspot_verified.mechanisms.spots.classify_all import classify_all
+from gspot_verified.mechanisms.spots.critical_friction import critical_friction
 from gspot_verified.mechanisms.spots.g_spot import _choose_fixed, find_g_spot, prove_near, symbolic_place
 from gspot_verified.mechanisms.symbolic import symbolic_system
 from gspot_verified.mechanisms.zeros.newton import NotFoundError
-from gspot_verified.numbers.balls import working_bits
+from gspot_verified.numbers.balls import MAX_WORKING_BITS, working_bits
 
 
 def holds(ball: arb, number: fmpq) -> bool:
@@ -345,3 +350,10 @@ def test_sympy_is_loaded_late() -> None:
     )
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert run.stdout.strip() == "False"
+
+
+@pytest.mark.parametrize("bits", ["128", True, 128.0, None, 1])
+@pytest.mark.parametrize("function", [find_g_spot, classify, classify_all, find_g_spots, critical_friction])
+def test_bits_that_are_no_number_of_bits_are_refused(function: Callable[..., Any], bits: Any) -> None:
+    with pytest.raises(ValueError, match=f"bits must be an int in 2..{MAX_WORKING_BITS}, got {bits!r}"):
+        function(shipped_mechanism("frictional impact oscillator"), bits=bits)

@@ -202,7 +202,7 @@ def test_the_number_of_digits_is_15_when_nothing_is_said() -> None:
 
 @pytest.mark.parametrize("max_bits", [0, 63, MAX_WORKING_BITS + 1])
 def test_budgets_out_of_range(max_bits: int) -> None:
-    with pytest.raises(ValueError, match=f"max_bits must lie in 64..{MAX_WORKING_BITS}, got {max_bits}"):
+    with pytest.raises(ValueError, match=f"max_bits must be an int in 64..{MAX_WORKING_BITS}, got {max_bits}"):
         evaluate(1, "1/2", max_bits=max_bits)
 
 

@@ -36,7 +36,9 @@ BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"derivative": -1}, ValueError, "derivative must lie in"),
     ({"derivative": 10**6}, ValueError, "derivative must lie in"),
     ({"derivative": 1.0}, TypeError, "derivative must be an int"),
-    ({"max_bits": 1}, ValueError, "max_bits must lie in"),
+    ({"max_bits": 1}, ValueError, "max_bits must be an int in"),
+    ({"max_bits": "128"}, ValueError, "max_bits must be an int in .* got '128'"),
+    ({"max_bits": 128.0}, ValueError, "max_bits must be an int in"),
 ]
 
 
