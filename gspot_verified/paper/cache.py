@@ -61,10 +61,11 @@ class Cache:
 
     def recall(self, identifier: str) -> Entry | None:
         """The entry as it was kept; None where there is none, or its file is not whole."""
-        if self.closed or not self._read:
+        place = self._file(identifier)
+        if self.closed or not self._read or not place.is_file():  # to read a pipe or a device would never end
             return None
         try:
-            entry = _entry(json.loads(self._file(identifier).read_text(encoding="utf-8")), self.key)
+            entry = _entry(json.loads(place.read_text(encoding="utf-8")), self.key)
         except (OSError, ValueError, KeyError, TypeError, RecursionError):
             return None
         return entry if entry.identifier == identifier else None

@@ -47,6 +47,17 @@ def test_what_is_kept_comes_back(tmp_path: Path, made: Entry) -> None:
     assert Cache(tmp_path / "deep" / "folder", read=False, sources=()).recall(made.identifier) is None
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="a system without named pipes")
+def test_a_pipe_in_the_place_of_a_result_is_none(tmp_path: Path) -> None:
+    """To read it would wait for a writer, for ever."""
+    cache = Cache(tmp_path, sources=())
+    cache.keep(PROVED)
+    (place,) = kept_files(tmp_path)
+    place.unlink()
+    os.mkfifo(place)
+    assert cache.recall(PROVED.identifier) is None
+
+
 def test_an_undecided_entry_is_not_kept(tmp_path: Path) -> None:
     cache = Cache(tmp_path, sources=())
     cache.keep(OPEN)
