@@ -41,10 +41,14 @@ def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
 
     Slow directions one by one; the unit vectors where no better basis is found.
 
-    :raises numpy.linalg.LinAlgError: no basis could be computed, or an entry is not finite.
+    :raises numpy.linalg.LinAlgError: no basis could be computed, an entry is not finite, or a unit is beyond doubles.
     """
     given = np.array(rows)
-    scales = _balance(given, _LEAST_COUPLING * float(np.abs(np.linalg.eigvals(given)).max()))
+    least = _LEAST_COUPLING * float(np.abs(np.linalg.eigvals(given)).max())
+    try:
+        scales = _balance(given, least)
+    except (ArithmeticError, ValueError):  # ValueError: the quotient of two infinite sums
+        raise np.linalg.LinAlgError("a unit is beyond doubles") from None
     matrix = given * scales / scales[:, None]
     values, vectors = eig(matrix)
     zero = _ZERO * float(np.abs(values).max())

@@ -10,6 +10,7 @@ from dataclasses import replace
 from itertools import islice
 from typing import Any
 
+import numpy as np
 import pytest
 from flint import arb, arb_mat, fmpq
 
@@ -184,6 +185,23 @@ def test_an_uncertain_end_is_not_passed(least: int, wide: int) -> None:
         if run.reason is None:
             assert segments[-1].end_time.contains(end)
         assert wide or run.reason is None
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [[0.0, 1e300], [1e-300, 0.0]],
+        [[0.0, 1e300, 0.0], [0.0, 0.0, 1e300], [1.0, 1.0, 0.0]],
+        [[0.0, 1e308, 1e308], [1e308, 0.0, 1e308], [1e308, 1e308, 0.0]],
+    ],
+)
+def test_units_beyond_doubles_are_no_basis(rows: list[list[float]]) -> None:
+    """Or a basis is found: any other error ended the whole command."""
+    try:
+        found = adapted_basis(rows)
+    except np.linalg.LinAlgError:
+        return
+    assert np.isfinite(found.rows).all()
 
 
 def test_a_clock_that_drives_a_large_state() -> None:
