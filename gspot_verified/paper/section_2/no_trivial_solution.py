@@ -74,8 +74,9 @@ def _no_trivial() -> Entry:
         "passes p = 0, for all χ, α_1 and α_2 other than 0",
         Rung.EXACT.check("newex4 with v = 0, derived twice along newex1 and newex2", by_derivatives()),
         Rung.EXACT.check("b as a line in t, p from newex4, put into newex1", by_the_line()),
-        note="With constant y and z there is a state of rest for χ and α_3 not 0, in contact where α_2/α_3 > 0, b = "
-        "-α_1/χ, λ_N = α_2/α_3 and p = α_1 α_3/(χ α_2), which is not 0. For χ = 0: 2-trivial.",
+        note="With constant y and z, p, b, y, v and z can rest too, as long as it slips, for χ and α_3 not 0, in "
+        "contact where α_2/α_3 > 0: b = -α_1/χ, λ_N = α_2/α_3 and p = α_1 α_3/(χ α_2), which is not 0; u is not at "
+        "rest there. For χ = 0: 2-trivial.",
     )
 
 
