@@ -36,6 +36,7 @@ class AdaptedBasis:
     values: tuple[complex, ...]
 
 
+@np.errstate(over="ignore", invalid="ignore")  # no number of it is believed
 def adapted_basis(rows: Sequence[Sequence[float]]) -> AdaptedBasis:
     """A basis for errors e' = Ae of a real matrix A.
 

@@ -257,6 +257,8 @@ def _pieces(
     """The pieces that follow ``last``, of a span cut into ``cuts``; events cut it further."""
     run = _FloatRun(scene)
     end = approximate(scene.until / scene.epsilon)
+    if not math.isfinite(end):
+        raise SceneError("until/epsilon is too large for a float")
     if last is None:
         phase: str | None = scene.first_phase()
         if phase == STICK:

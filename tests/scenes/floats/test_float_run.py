@@ -207,6 +207,12 @@ def test_a_start_that_no_float_holds_is_refused() -> None:
         _FloatRun(far)
 
 
+def test_an_end_that_no_float_holds_is_refused() -> None:
+    """The integrator went on for ever."""
+    with pytest.raises(SceneError, match=r"^until/epsilon is too large for a float$"):
+        float_run(replace(SCENE, until=fmpq(10) ** 400))
+
+
 def test_the_force_at_which_a_run_stops_is_measured_by_that_of_rigid_slip() -> None:
     start = SCENE.initial()
     run = _FloatRun(replace(SCENE, stop_at_force=fmpq(7)))
