@@ -61,7 +61,9 @@ def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
             f"{where}: no start before it: whether the contact slips there, u > 0 or u < 0, is not certain"
         )
     shifted = shift(spot.shifted.mechanism)
-    f, state = shifted.functions, mechanism.state
+    f, state, motion = shifted.functions, mechanism.state, mechanism.motion
+    if isinstance(motion, Lagrangian) and motion.constraints:
+        raise SceneError(f"{where}: no start before it: the mechanism has constraints; write a scene with a start")
     free = NormalCoordinate.of(f.y, f.v, len(state))
     determined = {state[free.place], state[free.velocity]} if free else _steepest(spot, shifted, where)
     for share in _SHARES_OF_C:
@@ -86,8 +88,8 @@ def scene_before_spot(mechanism: Mechanism, number: int) -> Scene:
 def _steepest(spot: GSpot, shifted: Shifted, where: str) -> set[str]:
     """The coordinate in which y is steepest at the G-spot, and its velocity: y = v = 0 is solved for them."""
     state, motion = spot.shifted.mechanism.state, spot.shifted.mechanism.motion
-    if not isinstance(motion, Lagrangian) or motion.constraints:
-        raise SceneError(f"{where}: no start before it: the mechanism has constraints; write a scene with a start")
+    if not isinstance(motion, Lagrangian):
+        raise SceneError(f"{where}: no start before it: the mechanism is given by fields; write a scene with a start")
     n = len(motion.coordinates)
     with working_bits(_BITS):
         slopes = shifted.expressions([partial_derivative(shifted.functions.y, i, len(state)) for i in range(n)], BALLS)

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from gspot_verified import load, scene_before_spot, simulate
 from gspot_verified.mechanisms.approach.approach import approach
+from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.spots.chosen_spot import at_spot
 from gspot_verified.mechanisms.spots.classify_all import classify_all
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot
@@ -101,3 +102,15 @@ def test_another_parameter_is_said_in_the_name() -> None:
     assert other.name == f"{scene.name}, mu = 3/2"
     assert other.with_settings(mu="7/4").name == f"{scene.name}, mu = 7/4"
     assert other.with_settings(g=9, mu="3/2").name == f"{scene.name}, mu = 3/2, g = 9"
+
+
+def test_a_mechanism_with_constraints_is_refused_with_this_reason() -> None:
+    """Its gap is a coordinate, so that y and v alone could be solved for them."""
+    rod = lagrangian(
+        "rod", ["X", "Y", "theta", "H"], [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, "1/3", 0], [0, 0, 0, 1]], [0, -1, 0, 0],
+        "X + cos(theta)", "H - sin(theta)", "73/36", constraints=["H - Y"], search=True, fixed=["X", "X_dot"],
+        place={"X": 0, "Y": "4/5", "H": "4/5", "theta": "3/5", "X_dot": 2, "Y_dot": "1/2", "H_dot": "1/2",
+               "theta_dot": 1},
+    )  # fmt: skip
+    with pytest.raises(SceneError, match="the mechanism has constraints; write a scene with a start"):
+        scene_before_spot(rod, 1)
