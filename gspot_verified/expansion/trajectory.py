@@ -249,6 +249,8 @@ class Trajectory(Written):
 
     ``p[n]`` is p_n(s), a polynomial in the space that the theorem states; ``xi[i][n]`` is the term of component i.
     ``accuracy`` says how accurate coefficients in balls are; None where they are exact.
+
+    :raises ValueError: a variable has another number of terms than ``order``.
     """
 
     scaled: ClassVar[Literal[True]] = True
@@ -265,6 +267,11 @@ class Trajectory(Written):
     z: Terms
     lambda_n: Terms
     accuracy: Accuracy | None = None
+
+    def __post_init__(self) -> None:
+        for name, terms in self.terms().items():
+            if len(terms) != self.order:
+                raise ValueError(f"{self.system.name}: {name} has {len(terms)} terms, not {self.order}, the order")
 
     @property
     def rows(self) -> InTwo[list[list[str]]]:

@@ -301,3 +301,10 @@ def test_coefficients_and_places_that_are_balls() -> None:
 def test_a_place_that_is_not_finite(rational: bool) -> None:
     found = value_in_time({(1, 0): fmpq(6)}, (arb("nan"), fmpq(1)), 60, rational)
     assert not found.is_finite()
+
+
+def test_as_many_terms_as_the_order_says() -> None:
+    trajectory = expand(extended_example(chi=1), 6)
+    for change in ({"order": 4}, {"order": 8}, {"p": trajectory.p[:5]}, {"xi": (*trajectory.xi[:5], ())}):
+        with pytest.raises(ValueError, match=r"extended example: .* has \d terms, not \d, the order"):
+            replace(trajectory, **change)
