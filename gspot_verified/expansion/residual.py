@@ -28,12 +28,13 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 
 ONLY_RESIDUAL = (
-    "a bound on what is left in the equations; how far the mechanism's own trajectory is from the polynomials "
-    "is not proved"
+    "a bound on what is left in the equations, and in the conditions at s = 0 (start) over delta^2; how far the "
+    "mechanism's own trajectory is from the polynomials is not proved"
 )
 _ZERO = fmpq(0)  # where the conditions stand
 _BITS = 128  # with which the constants are computed; less make them larger
 _EXTRA = 8  # orders beyond M that are exact where nothing is asked: more make the constants less
+_LARGEST = arb(2) ** 1_000_000  # of a constant that is stated: nothing is written of one beyond it
 _LEAST_EXTRA = 4  # a hypothesis: N >= M + 4, proofs/residual.md
 
 
@@ -222,7 +223,7 @@ class _Residual:
         total = rest / self._delta**self._order
         for n, term in enumerate(terms[self._order :]):
             total = total + norm(term) * self._delta**n
-        return total.upper() if total.is_finite() else total
+        return total.upper() if total < _LARGEST else nonfinite()
 
     def _minus(self, first: Sequence[Any], *others: Sequence[Any]) -> list[Any]:
         left = list(first)

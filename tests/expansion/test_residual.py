@@ -18,6 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from witnesses.expressions import mp, value_of
 
+from gspot_verified import expand, load
 from gspot_verified.expansion.majorants import Graded, rest_of_product
 from gspot_verified.expansion.residual import ResidualError, _Functions, _Residual, residual_bounds
 from gspot_verified.expansion.series.spaces import SpacePolynomial
@@ -349,3 +350,22 @@ def test_a_term_that_is_not_finite_does_not_vanish(place: int) -> None:
         of = expand_system(replace(extended_example("1/3"), point=(arb(0),) * 6, ring=BALLS), 4)
         bounds = _Residual(of, arb(1), arb("0.1"), of.order + 8)
         assert not bounds._constant("x", terms, arb(0), abs).is_finite()
+
+
+def test_it_is_said_that_the_conditions_are_divided() -> None:
+    """At delta > 1 the condition itself, here of y at delta = 100, is larger than its constant times delta^order."""
+    rod = expand(load("rod"), 4)
+    bounds = residual_bounds(rod, 1, 100)
+    delta = fmpq(100)  # the expansion is at the G-spot itself for s = 0, where Y is 0
+    y = sum((term.at_zero() * delta**n for n, term in enumerate(rod.y)), fmpq(0))
+    assert abs(delta**6 * y) > 2 * bounds.start["y"] * delta**4
+    assert "in the conditions at s = 0 (start) over delta^2" in str(bounds)
+    assert "in the conditions at s = 0 (start) over delta^2" in bounds.to_json()["meaning"]
+
+
+def test_a_constant_that_cannot_be_written_is_not_stated() -> None:
+    """Of sines at a distance of 10^20 the bound has some 10^40 digits."""
+    bounds = residual_bounds(expand(load("rod"), 4), 1, "1e10")
+    assert not bounds.constants["p"].is_finite()
+    assert bounds.to_json()["contact"]["p"] is None
+    assert bounds.constants["v"] < 3
