@@ -353,7 +353,7 @@ def _flight_ends() -> Entry:
         ),
         Rung.EXACT.check(
             "y <= -e u² at u = 6 (|b|/2 + |v| + |y| + e)/|α_2| >= 1, and v <= -e u at u = 2 (|b| + |v| + e)/|α_2| >= "
-            "1, for every e > 0: an explicit time",
+            "1, for every e > 0 that makes both u at least 1: an explicit time, and for e > |z_0| y < z there",
             all_of([free_motion(), below_a_line()]),
         ),
         note="That the touch-down comes shortly after the G-spot, in the simulated runs of Case III: 3-after-lift-off.",

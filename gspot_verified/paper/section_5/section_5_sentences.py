@@ -57,8 +57,8 @@ FUNCTIONS_OF_XI = {
 SIGNS_AND_CLASSES = "lines 1516 to 1523, 1615 to 1620, 1671 to 1674, 1742 to 1745"
 MISPRINTS = {
     "the sign that defines r_{b,n} and r_n": (
-        Place("line 1618", r"(:=[ =]*)r_\{b,n\}"),
-        Place("line 1673", r"(:=[ =]*)r_n\(s\)"),
+        Place("line 1618", r"(:=(?: *=)*) *r_\{b,n\}"),
+        Place("line 1673", r"(:=(?: *=)*) *r_n\(s\)"),
     ),
     "the class for n = 2ν + 1 in Step 4 and in Theorem 1": (
         Place("line 1744", r"\$(P_[^\s$]+)\$ if \$n=2\\nu\+1\$"),
