@@ -27,7 +27,7 @@ _VERSIONS = {
     "events": 2,
     "report": 2,
     "scenes": 2,
-    "simulate": 2,
+    "simulate": 3,
     "simulators": 2,
     "theta": 2,
     "verify": 3,

@@ -96,6 +96,7 @@ class _Scene(TypedDict):
     parameters: dict[str, fmpq]
     start: dict[str, fmpq]
     enclosed_start: dict[str, str]
+    start_not_integrated: dict[str, str]
     slow_start: str | None
     fast_part: FastPart | None
     states: dict[str, list[str]]

@@ -39,6 +39,7 @@ def test_an_open_question_leaves_with_2(capsys: pytest.CaptureFixture[str]) -> N
     code, output, _ = run(capsys, "events", *words, "--state=7/8,-11/32,-53/94864,43/2464,-27/189728")
     assert code == 2
     assert output.startswith("undecided")
+    assert output.endswith(", β = 9/32, α_1 = -9/8, α_2 = 3/4, ε = 1/77\n")
 
 
 @pytest.mark.parametrize(

@@ -73,6 +73,7 @@ def test_the_exact_side_rule_of_a_state(capsys: pytest.CaptureFixture[str]) -> N
     assert output.startswith("proved: K > 0")
     assert "the paper's rule gives the same side" in output
     assert "initial state" in output
+    assert output.endswith(", β = 5/2, α_1 = -1, α_2 = -1, ε = 1/1000\n")
     # beta = 13/2: with the paper's own data the fast part wins at eps = 1/1000.
     words = ("side", "13/2", "--state=1/2,-2/11,-8/11000000,0,-4/11000000", "--json")
     code, output, _ = run(capsys, *words)

@@ -33,6 +33,28 @@ def test_a_certified_run(capsys: pytest.CaptureFixture[str]) -> None:
     assert "lift-off: t = [0.535370832662700" in output
 
 
+@pytest.mark.parametrize(("u", "code"), [("70", 0), ("1/10", 1)])
+def test_a_start_that_decides_and_is_not_integrated_is_named(
+    capsys: pytest.CaptureFixture[str], u: str, code: int
+) -> None:
+    """What leaving stick out assumes is asked of u, which is none of the states without tangential_motion."""
+    words = ("extended", "--drop-effect", "stick", "--drop-effect", "tangential_motion", "--set", f"u={u}")
+    found, output, _ = run(capsys, "simulate", *words)
+    assert found == code
+    assert f"at the start, not integrated: u = {u}\n" in output
+    _, output, _ = run(capsys, "simulate", *words, "--json")
+    assert json.loads(output)["scene"]["start_not_integrated"] == {"u": u}
+
+
+def test_the_clock_at_the_start_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    """The forces of a shaken base depend on it; it is 0 where it is not given."""
+    base = resources.files("gspot_verified") / "mechanisms" / "data" / "gallery" / "rod_on_a_shaken_base.toml"
+    place = ("--set", "theta=62400181/100000000", "--set", "theta_dot=98644581/100000000", "--until", "1/10000")
+    for given, t in (((), "0"), (("--set", "t=3"), "3")):
+        _, output, _ = run(capsys, "simulate", str(base), "--spot", "1", *place, *given)
+        assert re.search(rf"at the start, not integrated: .*\bt = {t}\n", output)
+
+
 def test_both_side_by_side_with_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     table, arrays = tmp_path / "run.csv", tmp_path / "run.npz"
     words = ("fig-varsim1", "--compare", "--csv", str(table), "--npz", str(arrays), "--json")

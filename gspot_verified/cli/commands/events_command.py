@@ -53,5 +53,6 @@ def events(
         print_json(result.to_json())
     else:
         typer.echo(str(result))
-        typer.echo(f"  the compliant model from p = {start.p}, b = {start.b}, ε = {epsilon}")
+        numbers = f"β = {model.beta}, α_1 = {model.alpha_1}, α_2 = {model.alpha_2}, ε = {epsilon}"
+        typer.echo(f"  the compliant model from p = {start.p}, b = {start.b}, {numbers}")
     raise typer.Exit(result.verdict.exit_code)

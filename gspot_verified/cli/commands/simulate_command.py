@@ -330,6 +330,19 @@ def _start(scene: Scene) -> dict[str, fmpq | arb]:
     return {counted.get(name, name): value for name, value in (scene.initial() | scene.enclosed_initial()).items()}
 
 
+def _not_integrated(scene: Scene) -> dict[str, str]:
+    """What the start gives beside the states that are integrated, and the mechanism's time: what effects that are left
+    out assume is asked of it, and forces can depend on it."""
+    from gspot_verified.mechanisms.input.mechanism import Lagrangian
+
+    shown = scene.initial().keys() | scene.enclosed_initial().keys()
+    found = {name: str(value) for name, value in scene.start.items() if name not in shown}
+    motion = None if scene.mechanism is None else scene.mechanism.motion
+    if isinstance(motion, Lagrangian) and motion.time and motion.time not in shown:
+        found.setdefault(motion.time, "0")
+    return found
+
+
 def _scene_json(scene: Scene) -> dict[str, Any]:
     from flint import arb
 
@@ -350,6 +363,7 @@ def _scene_json(scene: Scene) -> dict[str, Any]:
         "parameters": parameters,
         "start": {name: str(value) for name, value in _start(scene).items() if not isinstance(value, arb)},
         "enclosed_start": {name: ball_text(value) for name, value in _start(scene).items() if isinstance(value, arb)},
+        "start_not_integrated": _not_integrated(scene),
         "slow_start": None if scene.slow_start is None else str(scene.slow_start),
         "fast_part": None if left is None else left.to_json(),
         "states": {phase: list(scene.system(phase).states) for phase in scene.phases()},
@@ -376,6 +390,8 @@ def _show(scene: Scene, runs: list[SceneRun]) -> None:
         typer.echo(str(run))
     start = ", ".join(f"{name} = {_number(scene, value)}" for name, value in _start(scene).items())
     typer.echo(f"  {scene.name}, ε = {scene.epsilon}, from {start}")
+    if given := _not_integrated(scene):
+        typer.echo("  at the start, not integrated: " + ", ".join(f"{name} = {value}" for name, value in given.items()))
     typer.echo("  with " + ", ".join(f"{name} = {value}" for name, value in scene.values().items()))
     for said in (scene.slow_start, fast_part(scene), cost_text(scene)):
         if said is not None:

@@ -154,7 +154,8 @@ class Approach(NoTruthValue, Written):
                 f"the state is supposed to lie on the contact: {', '.join(self.supposed)} = 0 there is not shown, its "
                 "ball holds 0; leave out two components that y = 0 and v = 0 determine"
             )
-        if self.surface_velocity is None and self.least_slip is not None:
+        followed = self.verdict.outcome is Outcome.PROVED
+        if followed and self.surface_velocity is None and self.least_slip is not None:
             texts.append(
                 f"u is not positive here: positive slip needs a surface that moves with a velocity below "
                 f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)}; nothing is said about stick"

@@ -9,7 +9,7 @@ holds.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb
@@ -114,7 +114,8 @@ def find_g_spots(
     The place that the mechanism names is used for its fixed components and for components that no condition holds.
 
     :raises ValueError: ``bits`` is no int, or below 2; ``budget`` is no int, or below 1.
-    :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
+    :raises MechanismError: the mechanism is not complete, or the box names no component of the state, or one that the
+        mechanism fixes.
 
     >>> from gspot_verified import load
     >>> g_spots = find_g_spots(load("genot_brogliato_rod", mu="7/5"))
@@ -145,12 +146,22 @@ def spot_conditions(shifted: Shifted) -> dict[str, Expression]:
     return conditions
 
 
+def _refuse_fixed(shifted: Shifted, box: Iterable[str]) -> None:
+    """Of a component that keeps its value this value alone is searched: an interval for it is no region."""
+    for word in set(shifted.mechanism.place.fixed or ()) & set(box):
+        raise MechanismError(
+            f"{shifted.mechanism.name}: box: {word} is among the components that the mechanism fixes, and the search "
+            "takes this value alone; leave it out of the box, or set the value"
+        )
+
+
 class _Search:
     def __init__(
         self, shifted: Shifted, box: Mapping[str, tuple[ExactInput, ExactInput]], bits: int, budget: Budget
     ) -> None:
         self._shifted, self._bits, self._budget = shifted, bits, budget
         self._state = shifted.mechanism.state
+        _refuse_fixed(shifted, box)
         conditions = spot_conditions(shifted)
         kept = [self._state.index(word) for word in box if word in self._state]
         self._apart: TakenApart = take_apart(conditions, len(self._state), kept)

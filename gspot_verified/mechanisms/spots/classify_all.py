@@ -92,7 +92,8 @@ def classify_all(
     box, or with another budget: the list may be another one. The arguments are those of
     :func:`gspot_verified.mechanisms.spots.all_g_spots.find_g_spots`.
 
-    :raises MechanismError: the mechanism is not complete, or the box names no component of the state.
+    :raises MechanismError: the mechanism is not complete, or the box names no component of the state, or one that the
+        mechanism fixes.
 
     >>> from gspot_verified import load
     >>> result = classify_all(load("genot_brogliato_rod", mu="7/5"))

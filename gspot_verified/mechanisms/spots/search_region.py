@@ -122,7 +122,6 @@ class Region:
             if i in self._given:
                 lower, upper = self._given[i]
                 text = f"[{text_of_each(lower)}, {text_of_each(upper)}]"
-                text += "; fixed" if explicit.get(i) == fixed_name(word) else ""
                 text += "; free: no condition holds it" if i in apart.free else ""
             elif i in explicit:
                 text = "fixed" if explicit[i] == fixed_name(word) else f"follows from {explicit[i]} = 0"
@@ -174,6 +173,8 @@ class Region:
                 lower, upper = self._given[i]
                 within = f"{word} in [{text_of_each(lower)}, {text_of_each(upper)}]"
                 (free if i in apart.free else bounded).append(within)
+            elif explicit.get(i) == fixed_name(word):
+                held.append(f"{word} = {fixed[word]}" if word in fixed else word)
             elif i in explicit:
                 continue
             elif i in apart.free:
@@ -186,9 +187,6 @@ class Region:
                 bounded.append(f"{word} in {self._stated(i)} (default)")
             else:
                 every.append(word)
-        for i, word in enumerate(self._state):
-            if explicit.get(i) == fixed_name(word):  # also where an interval is given for it
-                held.append(f"{word} = {fixed[word]}" if word in fixed else word)
         parts = [
             *(f"every angle {word}" for word in angles),
             *bounded,

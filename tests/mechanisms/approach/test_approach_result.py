@@ -43,6 +43,7 @@ def test_what_is_said_of_each_end() -> None:
     assert moving.warnings[0].startswith("u is not positive here: positive slip needs a surface that moves with a vel")
     assert moving.warnings[0].endswith("below -2.00001; nothing is said about stick")
     assert replace(moving, least_slip=None).warnings == ()
+    assert replace(moving, verdict=Verdict.undecided("it ends", Reason.BUDGET)).warnings == ()
     first, second = replace(moving, supposed=("y", "v")).warnings
     assert first.startswith("the state is supposed to lie on the contact: y, v = 0 there is not shown")
     assert second == moving.warnings[0]
