@@ -388,6 +388,8 @@ class _Attempt:
     def _side(self, case: str | None, reason: str, beta: arb, coefficient: arb | None) -> tuple[str | None, str]:
         if case not in ("I", "II", "III"):
             return None, reason
+        if not self.mechanism.regularisation.c:
+            return None, "the contact has no damper (c = 0): nothing is damped"
         lift_off, impact = sides_of(case, beta)
         if impact is None:
             return None, "beta is, or may be, an integer: no side at leading order"

@@ -6,6 +6,7 @@ Pages: proofs/approach.md, proofs/validated_step.md.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from importlib.resources import files
 from typing import Any
@@ -18,6 +19,7 @@ from hypothesis import strategies as st
 from samples.model_texts import model_text
 from samples.strategies import to_fmpq
 
+from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.mechanisms.approach.approach import approach
 from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach
 from gspot_verified.mechanisms.approach.mechanism_side import mechanism_side
@@ -448,3 +450,12 @@ def test_a_full_state_on_the_contact() -> None:
     found = approach(MODEL, {"x": 0, "u": 9, "y": 0, "v": 0, "p": "1/2", "b": -2})
     assert found.solved == ()
     assert found.end == "G-spot"
+
+
+def test_without_a_damper_no_side_is_named() -> None:
+    """As ε → 0 nothing is damped: an oscillation of the contact stays, and can lose it."""
+    damped = model("-1", "-1", "-7/2")
+    assert from_model(damped, "1/2", "-1/10").side is not None
+    found = from_model(replace(damped, regularisation=Regularisation.of(1, 1, 0)), "1/2", "-1/10")
+    assert found.verdict.outcome is Outcome.PROVED
+    assert (found.side, found.side_reason) == (None, "the contact has no damper (c = 0): nothing is damped")
