@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from gspot_verified.expansion.series.regularisation import Regularisation
+from gspot_verified.expansion.series.regularisation import NO_DAMPER, Regularisation
 
 RING = fmpq_mpoly_ctx.get(("h", "r"), Ordering.lex)
 H, R = RING.gens()
@@ -35,7 +35,7 @@ class Contact:
         Contact(kappa=1/2, rate=2, lag=1/2)
         """
         if not springs.c > 0:
-            raise ValueError("the contact has no damper (c = 0): nothing is damped")
+            raise ValueError(NO_DAMPER)
         kappa = 1 / springs.compliance
         return cls(kappa, (springs.k_1 + springs.k_2) / springs.c, springs.k_2 - kappa)
 

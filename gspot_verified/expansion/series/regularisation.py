@@ -17,6 +17,9 @@ from flint import fmpq
 
 from gspot_verified.numbers.balls import ExactInput, exact
 
+NO_DAMPER = "the contact has no damper (c = 0): nothing is damped"
+"""Why nothing is said of what remains as ε → 0."""
+
 
 @dataclass(frozen=True)
 class Regularisation:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
+from gspot_verified.expansion.series.regularisation import NO_DAMPER
 from gspot_verified.functions.expressions import Constant
 from gspot_verified.functions.krawczyk import krawczyk
 from gspot_verified.functions.rings import BALLS
@@ -389,7 +390,7 @@ class _Attempt:
         if case not in ("I", "II", "III"):
             return None, reason
         if not self.mechanism.regularisation.c:
-            return None, "the contact has no damper (c = 0): nothing is damped"
+            return None, NO_DAMPER
         lift_off, impact = sides_of(case, beta)
         if impact is None:
             return None, "beta is, or may be, an integer: no side at leading order"

@@ -16,6 +16,7 @@ from flint import arb, arb_mat, fmpq
 from gspot_verified.expansion.from_state.affine_side import AffineSide
 from gspot_verified.expansion.from_state.limit_side import OTHER, rule_of
 from gspot_verified.expansion.from_state.slow_series import Contact, contact_text
+from gspot_verified.expansion.series.regularisation import NO_DAMPER
 from gspot_verified.mechanisms.approach.approach import MAX_STEPS, Goal, followed
 from gspot_verified.mechanisms.approach.approach_result import Approach
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
@@ -236,7 +237,7 @@ def _outcome(shifted: Shifted, found: Approach) -> tuple[tuple[str, ...], tuple[
     if found.coefficient is None:
         return (), _Open(Reason.HYPOTHESIS, found.side_reason)
     if not mechanism.regularisation.c > 0:
-        return (), _Open(Reason.BEYOND, "the contact has no damper (c = 0): nothing is damped")
+        return (), _Open(Reason.BEYOND, NO_DAMPER)
     programs = slip_programs(shifted)
     active = active_components(programs.flow)
     names = tuple(mechanism.state[i] for i in active)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from gspot_verified.expansion.from_state.limit_side import OTHER, rule_of
+from gspot_verified.expansion.series.regularisation import NO_DAMPER
 from gspot_verified.functions.rings import BALLS
 from gspot_verified.mechanisms.approach.mechanism_side import active_components, independent
 from gspot_verified.mechanisms.approach.slip_flow import SlipFlow, SlipNumbers
@@ -69,7 +70,7 @@ def spot_sides(mechanism: Mechanism) -> SpotSides:
             reason = f"Theorem R is about Case III: {why if case in (None, 'none') else f'Case {case}'}"
             return SpotSides(case, beta, None, None, reason, None)
         if not mechanism.regularisation.c > 0:
-            return SpotSides(case, beta, None, None, "the contact has no damper (c = 0): nothing is damped", None)
+            return SpotSides(case, beta, None, None, NO_DAMPER, None)
         rule = rule_of(beta, mechanism.regularisation)
         if rule is None:
             return SpotSides(case, beta, None, None, "beta is, or may be, an integer", None)
