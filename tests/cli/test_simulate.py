@@ -7,6 +7,7 @@ import json
 import math
 import re
 import shutil
+from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 
@@ -14,9 +15,12 @@ import numpy as np
 import pytest
 from full_disk import full_after
 
+from gspot_verified import load
 from gspot_verified.cli import main
+from gspot_verified.cli.commands.simulate_command import _not_integrated
 from gspot_verified.mechanisms.shipped import shipped_text
 from gspot_verified.scenes.certified import run_steps
+from gspot_verified.scenes.scene.before_spot import scene_before_spot
 
 
 def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
@@ -477,3 +481,11 @@ def test_a_parameter_of_a_spots_mechanism_and_of_an_effect_is_refused(
     code, _, err = run(capsys, "simulate", str(own), "--spot", "1", "--float", "--set", "k_1=1")
     assert code == 64
     assert "'k_1' is one of the mechanism and of an effect" in err
+
+
+def test_a_clock_that_no_start_gives_is_0() -> None:
+    base = resources.files("gspot_verified") / "mechanisms" / "data" / "gallery" / "rod_on_a_shaken_base.toml"
+    scene = scene_before_spot(load(str(base)), 1)
+    without = replace(scene, start={name: value for name, value in scene.start.items() if name != "t"})
+    assert "t" in scene.start
+    assert _not_integrated(without)["t"] == "0"
