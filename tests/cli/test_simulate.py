@@ -314,7 +314,7 @@ def test_a_start_on_the_slow_manifold_says_what_it_is(capsys: pytest.CaptureFixt
     code, output, _ = run(capsys, "simulate", "fig-varsim1", "--beta", "1/2", "--set", "start=slip", "--route", "exact")
     assert code == 0
     assert "  start on slip: an exact point next to its slow manifold, from the expansion to epsilon^" in output
-    assert "about e^(-0.01559/ε) = 1.7e-07 is left at the G-spot, t = 0.5 (floats)\n" in output
+    assert "about e^(-0.01559/ε) = 1.7e-07 is left where rigid slip reaches the G-spot, t = 0.5 (floats)\n" in output
     assert ", v = -0.0000119812" in output  # a decimal
     _, output, _ = run(capsys, "simulate", "fig-varsim1", "--beta", "1/2", "--route", "exact", "--json")
     scene = json.loads(output)["scene"]

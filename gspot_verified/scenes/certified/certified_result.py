@@ -17,6 +17,7 @@ from gspot_verified.numbers.verdict import Evidence, Reason, Verdict
 from gspot_verified.scenes.certified.certified_phase import Open
 from gspot_verified.scenes.certified.conditions import Conditions
 from gspot_verified.scenes.certified.invariant_region import ExponentialGrowth
+from gspot_verified.scenes.effects.effect import Effect
 from gspot_verified.scenes.equations.terms import SLIP
 from gspot_verified.scenes.scene.assumption import ASSUMED, CHECKED, VIOLATED, Assumption, provided
 from gspot_verified.scenes.scene.run import CERTIFIED, NO_EVENT, OPEN, REFUTED, RunEvent, SceneRun, fate_of
@@ -116,6 +117,16 @@ def _assumptions(scene: Scene, conditions: Conditions, record: Record) -> tuple[
     return tuple(assumptions)
 
 
+def _to_add(scene: Scene, failed: Assumption) -> str:
+    """The effect whose absence is wrong, and those that need it and whose absence then assumes the same."""
+    wanted = (failed.effect, *(e.name for e in scene.left_out() if _goes_on(e, failed)))
+    return f"the effect{'s' if len(wanted) > 1 else ''} {' and '.join(map(repr, wanted))}"
+
+
+def _goes_on(effect: Effect, failed: Assumption) -> bool:
+    return failed.effect in effect.needs and effect.condition is not None and effect.condition.text == failed.assumes
+
+
 def _span(scene: Scene, record: Record) -> str:
     """Up to when the run is followed, in words."""
     if record.stopped is None:
@@ -139,7 +150,7 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
     if failed is not None and record.violated is not None:
         verdict = Verdict.refuted(
             f"{failed.assumes}{span}, as leaving {failed.effect} out assumes{on}",
-            f"that {failed.assumes} fails at {failed.when} after the start: add the effect {failed.effect!r}",
+            f"that {failed.assumes} fails at {failed.when} after the start: add {_to_add(scene, failed)}",
             record.violated[2],
             "; ".join(filter(None, (known, remarks))),
         )

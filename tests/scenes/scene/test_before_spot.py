@@ -104,6 +104,14 @@ def test_another_parameter_is_said_in_the_name() -> None:
     assert other.with_settings(g=9, mu="3/2").name == f"{scene.name}, mu = 3/2, g = 9"
 
 
+def test_another_start_is_said_in_the_name() -> None:
+    """It is no longer just before the G-spot."""
+    scene = scene_before_spot(load("rod"), 1)
+    assert scene.with_settings(X_dot=1, theta=None).name == f"{scene.name}, X_dot = 1"
+    assert scene.with_settings(X_dot=1).with_settings(X_dot="1/2").name == f"{scene.name}, X_dot = 1/2"
+    assert scene.with_settings(theta=scene.start["theta"]).name == scene.name
+
+
 def test_a_mechanism_with_constraints_is_refused_with_this_reason() -> None:
     """Its gap is a coordinate, so that y and v alone could be solved for them."""
     rod = lagrangian(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -13,7 +14,7 @@ from hypothesis import strategies as st
 from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import Reason, Verdict
-from gspot_verified.scenes.scene.assumption import ASSUMED, Assumption
+from gspot_verified.scenes.scene.assumption import ASSUMED, CHECKED, Assumption
 from gspot_verified.scenes.scene.run import (
     CERTIFIED,
     FLIGHT_THEN_IMPACT,
@@ -140,7 +141,10 @@ def test_what_is_printed_and_what_is_written() -> None:
     assumed = Assumption("stick", "u > 0", ASSUMED, fmpq(0), fmpq(0), "why")
     certain = SceneRun(CERTIFIED, "both", events, verdict, assumptions=(assumed,))
     lines = str(certain).splitlines()
-    assert lines[0] == "certified: both"
+    assert lines[0] == "certified, under the condition below: both"
+    checked = (replace(assumed, standing=CHECKED, lower=None, upper=None),)
+    assert str(replace(certain, assumptions=checked)).splitlines()[0] == "certified: both"
+    assert str(replace(certain, fate=OPEN)).splitlines()[0] == "certified: open"
     assert [line[:2] for line in lines[1:]] == ["  "] * (len(lines) - 1)
     assert lines[1].strip().startswith("proved: what is proved")
     assert "  lift-off: t = 1/2 after the start" in lines
@@ -151,6 +155,10 @@ def test_what_is_printed_and_what_is_written() -> None:
     floats = SceneRun(SIMULATED, "both", events, SOME)
     assert [tuple(row) for row in floats.event_rows] == [(LIFT, 0.5), (LAND, 0.75)]
     assert "  touch-down: t = 0.75 after the start" in str(floats).splitlines()
+    grows = (RunEvent(IMPACT, fmpq(1, 2), fmpq(1, 2)),)
+    shown = "  impact without collision: {} from t = {} after the start on".format
+    assert shown("shown", "1/2") in str(replace(certain, events=grows)).splitlines()
+    assert shown("seen", "0.5") in str(replace(floats, events=grows)).splitlines()
     written = json.loads(json.dumps(certain.to_json()))
     assert set(written) == {"strength", "fate", "events", "verdict", "assumptions"}
     assert [row["event"] for row in written["events"]] == [LIFT, LAND]
