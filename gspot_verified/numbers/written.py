@@ -41,7 +41,7 @@ class Shown:
 
     >>> from gspot_verified import side
     >>> side(1, 2)
-    <SideSwitching: (1, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC …>
+    <SideSwitching: (1, 2): Γ(-β) > 0; Case III, by the paper's rule as ε → 0: C1 < 0 lifts off, C1 > 0 takes an IWC …>
     """
 
     __slots__ = ()

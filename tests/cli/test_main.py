@@ -101,7 +101,7 @@ def test_bad_usage(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...
 def test_side(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "side", "1/2", "4")
     assert code == 0
-    assert "[1/2, 1): Γ(-β) < 0; Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs" in output
+    assert "[1/2, 1): Γ(-β) < 0; Cases I and II, by the paper's rule as ε → 0: C1 < 0 takes an IWC," in output
     assert "C1 > 0 lifts off" not in output.splitlines()[0]
     assert "β = 1, 2, 3, 4" in output
     code, output, _ = run(capsys, "side", "-2", "--json")

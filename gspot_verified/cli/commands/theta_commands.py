@@ -71,7 +71,7 @@ def side(
     state: Annotated[str | None, typer.Option(help="The exact side rule of this state in contact: p,b,y,v,z.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """The sign of Γ(−β), and which sign of C1 lifts off. In Case III; the other takes an IWC. Also for a range of β.
+    """The sign of Γ(−β), at one β or over a range, and the side it gives by the paper's rule as ε → 0.
 
     With --state: the exact side rule of the compliant model at one ε, K < 0: contact is certainly lost, with the
     paper's rule C1/Γ(−β) beside it.

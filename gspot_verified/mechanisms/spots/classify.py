@@ -162,7 +162,7 @@ def classify(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> Classification:
       mean force alpha_2/(alpha_3 - alpha_1) = 48/185
       slip velocity u = 7/5
       a = -4/5, A = 52/25, B = 36/25, C = 73/25, p = C - mu B = 0
-      Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs
+      Cases I and II, by the paper's rule as ε → 0: C1 < 0 takes an IWC, no other sign occurs
       fixed components (conditions J): X, X_dot
     """
     return classify_g_spot(find_g_spot(mechanism, bits))

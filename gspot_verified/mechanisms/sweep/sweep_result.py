@@ -349,7 +349,7 @@ def _piece_text(piece: Said | SweepPiece) -> str:
     if piece.case == "none":
         return "no Case"
     sides = side_text(piece.lift_off_sign, piece.impact_sign)
-    return sides if piece.case == "III" else f"Case {piece.case}: {sides.partition(': ')[2]}"
+    return sides if piece.case == "III" else f"Case {piece.case}{sides.removeprefix('Cases I and II')}"
 
 
 def _csv_lines(pieces: Iterable[SweepPiece]) -> str:

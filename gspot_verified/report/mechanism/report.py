@@ -53,6 +53,7 @@ from gspot_verified.signs.gamma.side import side, side_text
 
 _COEFFICIENTS = "The coefficients are proved; how far the truncated sums are from the trajectory is not stated here."
 _MODEL = "This is about the compliant model with constant α, those of the G-spot, not about the mechanism away from it."
+_SIDES = "The sign of Γ(-β), which gives the sides by the paper's rule as ε → 0"
 _ORDER = 6  # of the expansion that is shown: p and b with three terms
 _SIDE_ORDER = 8  # of the one that true solutions are compared with
 _DELTAS = ("1/50", "1/500", "1/5000")  # up to which they are followed, tried in turn
@@ -62,7 +63,7 @@ _START = fmpq(1, 2)  # p there, as in the paper's figures
 
 
 def side_part(subject: Subject) -> ReportPart:
-    """Which sign of C_1 lifts off and which takes an impact, by the sign of Gamma(-beta).
+    """The sign of Gamma(-beta), which is proved, and what the paper's rule makes of it.
 
     :raises ValueError: beta is, or may be, an integer and no rational number.
     """
@@ -72,11 +73,10 @@ def side_part(subject: Subject) -> ReportPart:
     result = side(*ends)
     known = spot.impact_sign is not None
     what = side_text(spot.lift_off_sign, spot.impact_sign) if known else "no side at leading order: β is an integer"
-    about = "the paper's rule, at leading order as ε → 0"
     return ReportPart(
-        "The sides, at leading order as ε → 0",
+        _SIDES,
         Outcome.PROVED if known else None,
-        f"{result}\nHere: {what} ({about}).",
+        f"{result}\nHere: {what}.",
         (shlex.join(["gspot-verified", "side", *map(str, ends)]),),
         data=result.to_json(),
     )
@@ -390,7 +390,7 @@ def _parts(subject: Subject, choose: bool, say: Callable[[str], None]) -> tuple[
     if subject.mechanism.drawing is not None:
         planned.append(("The mechanism there", partial(mechanism_picture_part, subject)))
     if case in ("I", "II", "III"):
-        planned.append(("The sides", partial(side_part, subject)))
+        planned.append((_SIDES, partial(side_part, subject)))
     impact, lift_off = subject.classified.impact_sign, subject.classified.lift_off_sign
     for c1, after in ((impact, "impact"), (lift_off, "lift-off")):
         if c1 is None:

@@ -100,13 +100,13 @@ class SideSwitching(NoTruthValue, Written):
 
 
 def side_text(lift_off_sign: int | None, impact_sign: int | None) -> str:
-    """What the theory says of the sides, in words; the two signs as in :class:`SignInterval`."""
+    """What the paper says of the sides as ε → 0, in words; the two signs as in :class:`SignInterval`."""
     if impact_sign is None:
         return "no side: the Cases I, II and III have β > 0"
     if lift_off_sign is None:
-        return "Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs"
+        return "Cases I and II, by the paper's rule as ε → 0: C1 < 0 takes an IWC, no other sign occurs"
     lift_off, impact = (f"C1 {'>' if sign > 0 else '<'} 0" for sign in (lift_off_sign, impact_sign))
-    return f"Case III: {lift_off} lifts off, {impact} takes an IWC"
+    return f"Case III, by the paper's rule as ε → 0: {lift_off} lifts off, {impact} takes an IWC"
 
 
 def follows_text(lift_off_sign: int | None, impact_sign: int) -> str:
@@ -157,8 +157,8 @@ def side(lower: ExactInput, upper: ExactInput | None = None) -> SideSwitching:
     :raises ValueError: not a number, a reversed range, |beta| > 10^6, or more than 10^5 intervals.
 
     >>> print(side("1/2", 2))
-    [1/2, 1): Γ(-β) < 0; Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs
-    (1, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC
+    [1/2, 1): Γ(-β) < 0; Cases I and II, by the paper's rule as ε → 0: C1 < 0 takes an IWC, no other sign occurs
+    (1, 2): Γ(-β) > 0; Case III, by the paper's rule as ε → 0: C1 < 0 lifts off, C1 > 0 takes an IWC
     Γ(-β) has a pole at β = 1, 2
     in Case III the side switches at β = 2
     """

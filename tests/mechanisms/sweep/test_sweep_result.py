@@ -111,10 +111,10 @@ def test_a_place_is_answered_by_a_piece_that_holds_it() -> None:
 def test_the_case_is_named_once() -> None:
     """What follows in Case III has its name; what follows in Cases I and II is said of both."""
     third = piece(10, 12, Kind.SETTLED)
-    assert side_text(1, -1).startswith("Case III: ")
+    assert side_text(1, -1).startswith("Case III, by the paper's rule as ε → 0: ")
     assert f"]: {side_text(1, -1)}" in str(line(third))
     second = SweepPiece(third.lower, third.upper, Kind.SETTLED, "II", None, -1)
-    assert ": Case II: C1 < 0 takes an IWC" in str(line(second))
+    assert ": Case II, by the paper's rule as ε → 0: C1 < 0 takes an IWC" in str(line(second))
 
 
 TINY = fmpq(1, 10**6)

@@ -80,10 +80,16 @@ def test_the_exact_g_spot(exact: Subject, printed: Callable[[Source, str], str],
 
 
 def test_the_side_is_that_of_the_classification(exact: Subject, in_balls: Subject, second_case: Subject) -> None:
-    assert "Here: Case III: C1 < 0 lifts off, C1 > 0 takes an IWC" in side_part(exact).text
+    assert (
+        "Here: Case III, by the paper's rule as ε → 0: C1 < 0 lifts off, C1 > 0 takes an IWC" in side_part(exact).text
+    )
+    assert side_part(exact).title == "The sign of Γ(-β), which gives the sides by the paper's rule as ε → 0"
     assert in_balls.classified.lift_off_sign == 1
-    assert "Here: Case III: C1 > 0 lifts off, C1 < 0 takes an IWC" in side_part(in_balls).text
-    assert "Here: Cases I and II: C1 < 0 takes an IWC" in side_part(second_case).text
+    assert (
+        "Here: Case III, by the paper's rule as ε → 0: C1 > 0 lifts off, C1 < 0 takes an IWC"
+        in side_part(in_balls).text
+    )
+    assert "Here: Cases I and II, by the paper's rule as ε → 0: C1 < 0 takes an IWC" in side_part(second_case).text
 
 
 def test_balls_of_beta_lie_in_the_range_of_the_command(

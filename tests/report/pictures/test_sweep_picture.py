@@ -75,3 +75,10 @@ def test_the_caption_of_fates_has_the_condition_on_the_starts() -> None:
     assert found.sides.below is not None
     assert "for starts at rest in the contact" in str(found)
     assert "What follows the G-spot: for starts at rest in the contact, and epsilon below" in fates_caption(found)
+
+
+def test_the_caption_says_whose_rule_the_side_is(line: Sweep) -> None:
+    """What is certified is the Case and the sign of Gamma(-beta)."""
+    pieces = tuple(replace(piece, case="III", lift_off_sign=1, impact_sign=-1) for piece in line.pieces)
+    assert "Which sign of C₁ lifts off: by the paper's rule as ε → 0." in caption(replace(line, pieces=pieces))
+    assert "lifts off" not in caption(line)

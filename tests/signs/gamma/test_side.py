@@ -169,12 +169,12 @@ def test_words() -> None:
     assert str(side("-2", "-1")) == f"[-2, -1]: Γ(-β) > 0; {no_case}"
     assert str(side("-1", "0")) == f"[-1, 0): Γ(-β) > 0; {no_case}\nΓ(-β) has a pole at β = 0"
     assert str(side("0", "1/2")) == (
-        "(0, 1/2]: Γ(-β) < 0; Cases I and II: C1 < 0 takes an IWC, and as ε → 0 no other sign occurs\n"
+        "(0, 1/2]: Γ(-β) < 0; Cases I and II, by the paper's rule as ε → 0: C1 < 0 takes an IWC, no other sign occurs\n"
         "Γ(-β) has a pole at β = 0"
     )
     assert str(side("3/2", 3)) == (
-        "[3/2, 2): Γ(-β) > 0; Case III: C1 < 0 lifts off, C1 > 0 takes an IWC\n"
-        "(2, 3): Γ(-β) < 0; Case III: C1 > 0 lifts off, C1 < 0 takes an IWC\n"
+        "[3/2, 2): Γ(-β) > 0; Case III, by the paper's rule as ε → 0: C1 < 0 lifts off, C1 > 0 takes an IWC\n"
+        "(2, 3): Γ(-β) < 0; Case III, by the paper's rule as ε → 0: C1 > 0 lifts off, C1 < 0 takes an IWC\n"
         "Γ(-β) has a pole at β = 2, 3\nin Case III the side switches at β = 2, 3"
     )
     found = side(arb(1, fmpq(1, 8)), "5/4")
