@@ -21,7 +21,7 @@ from gspot_verified.cli.progress_line import at_terminal
 QUIET_SECONDS = 10.0  # between two signs of life on stderr
 _running: ContextVar[str] = ContextVar("_running", default="")
 _VERSIONS = {
-    "approach": 2,
+    "approach": 3,
     "classify": 2,
     "cost": 2,
     "events": 2,
@@ -30,6 +30,7 @@ _VERSIONS = {
     "simulate": 3,
     "simulators": 2,
     "theta": 2,
+    "verdict": 2,
     "verify": 3,
 }
 """Of the schemas that have changed: a change of what is printed raises it."""

@@ -194,7 +194,7 @@ def untrue(piece: FatePiece, start: tuple[float, float, float], ends: Callable[[
     if not (p > -_OFF and b < _OFF and slip > -_OFF):
         return f"there is no slip: p = {p}, b = {b}, slip less the surface's velocity {slip}"
     what, sign = ends()
-    expected = {Fate.LIFT_OFF: "lift-off", Fate.STOPS: "stick"}.get(piece.fate, "G-spot")
+    expected = {Fate.LIFT_OFF: "lift-off", Fate.STOPS: "slip stops"}.get(piece.fate, "G-spot")
     if what != expected:
         return f"the reference ends by {what}"
     if (piece.fate is Fate.ABOVE and sign < 0) or (piece.fate is Fate.BELOW and sign > 0):

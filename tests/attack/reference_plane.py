@@ -57,7 +57,7 @@ class PlaneSlip:
 
         watched: dict[str, Callable[[float, Sequence[float]], float]] = {
             "lift-off": lambda _, state: -state[1],
-            "stick": lambda _, state: state[2] - self.surface,
+            "slip stops": lambda _, state: state[2] - self.surface,
             "": lambda _, state: state[0] - level,
         }
         for each in watched.values():

@@ -1,6 +1,6 @@
 """Rigid slip of a body from its Lagrangian by scipy's DOP853 in the stretched time s, dt = p ds: xi' = p F - b G.
 
-It ends where b rises to 0 (lift-off), where the slip velocity falls to the surface's (stick), or at p = b = 0.
+It ends where b rises to 0 (lift-off), where the slip velocity falls to the surface's (slip stops), or at p = b = 0.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Unsure(Exception):
 
 @dataclass
 class End:
-    """``what``: "lift-off", "stick" or "G-spot"; the time; the state and the alphas there; C_1 if it was read off."""
+    """``what``: "lift-off", "slip stops", "G-spot"; the time, the state and the alphas there; C_1 if it was read."""
 
     what: str
     time: float
@@ -72,7 +72,7 @@ class Slip:
         solver = scipy.integrate.DOP853(self.rates, 0.0, [*start, 0.0], _LONGEST, rtol=2e-13, atol=1e-15, max_step=0.25)
         watched: dict[str, Callable[[Sequence[float]], float]] = {"lift-off": lambda s: -self.at(s)[2][1]}
         if surface is not None:
-            watched["stick"] = lambda s: self.at(s)[2][2] - surface
+            watched["slip stops"] = lambda s: self.at(s)[2][2] - surface
         samples: list[tuple[float, float]] = []
         first = self.at(solver.y)[2]
         if first[0] < _FAR or first[1] > -_FAR or (surface is not None and first[2] - surface < _FAR):

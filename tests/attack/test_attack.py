@@ -217,7 +217,7 @@ def believing_first_lines(patch: pytest.MonkeyPatch) -> None:
 
 
 def another_end(found: Any) -> Any:
-    return replace(found, end=found.end and ("stick" if found.end == "lift-off" else "lift-off"))
+    return replace(found, end=found.end and ("slip stops" if found.end == "lift-off" else "lift-off"))
 
 
 def with_other_fates(found: Any) -> Any:

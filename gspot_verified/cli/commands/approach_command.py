@@ -66,7 +66,7 @@ def approach(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Where slip from a state leads: a G-spot, lift-off or stick. At a G-spot: C1 in balls, and lift-off or impact.
+    """Where slip from a state leads: a G-spot, lift-off, or slip stops. At a G-spot: C1 in balls, lift-off or impact.
 
     Exit code 0 when that is proved (and C1 has a certain sign), 2 when something is undecided.
 

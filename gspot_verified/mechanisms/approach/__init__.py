@@ -1,1 +1,1 @@
-"""From a state in slip to a G-spot, lift-off or stick."""
+"""From a state in slip to a G-spot, lift-off or the end of slip."""

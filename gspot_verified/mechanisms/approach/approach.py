@@ -1,4 +1,4 @@
-"""From an initial state of slip to what happens: a G-spot and its side, lift-off, or stick.
+"""From an initial state of slip to what happens: a G-spot and its side, lift-off, or the end of slip.
 
 Proof pages: ``proofs/approach.md``, ``proofs/norm_step.md``, ``proofs/validated_step.md``. Paper, Secs. 1.2, 4.5, 5.4.
 """
@@ -28,7 +28,7 @@ from gspot_verified.mechanisms.approach.approach_plan import (
     lost_bits,
     too_few_bits,
 )
-from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach, SlipPath
+from gspot_verified.mechanisms.approach.approach_result import EVENTS, IMPACT, LIFT_OFF, SLIP_STOPS, Approach, SlipPath
 from gspot_verified.mechanisms.approach.capture import Capture, capture
 from gspot_verified.mechanisms.approach.deviation_coefficient import coefficient_above_one, coefficient_below_one
 from gspot_verified.mechanisms.approach.distinguished import shared_taylor_in_p, taylor_in_p
@@ -64,7 +64,7 @@ _SAMPLES = 4  # parts of a step that are checked, and points of it that are kept
 _PARTS = tuple(arb((2 * k + 1, -3), (1, -3)) for k in range(_SAMPLES))  # [k/4, (k + 1)/4]
 _FEWEST_BITS = 36  # of p: with fewer a run towards a G-spot ends, and what was seen before counts
 _FEWEST_OF_FEW = 8  # the same with few bits, where signs are enough
-_TOO_CLOSE = "lift-off and stick happen too close together to tell which comes first"
+_TOO_CLOSE = "lift-off and the end of slip happen too close together to tell which comes first"
 
 
 class Goal(NamedTuple):
@@ -86,12 +86,13 @@ def approach(
 
     ``state`` gives all components, or all but two, which y = 0 and v = 0 then determine. With ``spot``, the number of
     a G-spot as ``classify_all`` lists them, all others that are left out are those of that G-spot.
-    ``surface_velocity`` is the constant tangential velocity of the surface: stick is u = surface_velocity (so
+    ``surface_velocity`` is the constant tangential velocity of the surface: slip stops at u = surface_velocity (so
     it counts against the x of the file where negative slip is mirrored). Without it the surface is at rest if u > 0 at
     the start; if u < 0 there, nothing is asked of u and the result says which surfaces it holds for.
 
     Proved: the trajectory reaches a G-spot (in finite time, with λ_N > 0 and positive slip until then), or lifts off,
-    or sticks, first. At a G-spot C_1 is enclosed and its sign gives the side by the paper's rule.
+    or slip stops, first; stick may follow then, or slip the other way. At a G-spot C_1 is enclosed and its sign gives
+    the side by the paper's rule.
 
     :raises StateError: the state is not on the contact, p <= 0, b >= 0, or slip is not positive there.
     :raises MechanismError: the mechanism is not complete.
@@ -226,9 +227,9 @@ class _Attempt:
         run = NormRun(
             field, [*self.start.box, arb(0)], steps=Steps(self.max_steps), slow=False, least_order=_LEAST_ORDER
         )
-        watches = [Watch("lift-off", self.flow.b, field)]
+        watches = [Watch(LIFT_OFF, self.flow.b, field)]
         if self.surface is not None:
-            watches.append(Watch("stick", Constant(self.velocity) - self.flow.u, field))
+            watches.append(Watch(SLIP_STOPS, Constant(self.velocity) - self.flow.u, field))
         caught: _Caught | None = None
         marked: _Caught | None = None
         known: list[_Caught] = []
@@ -357,7 +358,7 @@ class _Attempt:
         text = "slip reaches a G-spot in finite time, with a positive contact force until then"
         shown = every([*self.shown, last.capture.evidence])
         if shown is None:
-            return self._open("it is not certain that neither lift-off nor stick comes first")
+            return self._open("it is not certain that neither lift-off nor the end of slip comes first")
         return self._made(
             verdict=Verdict.proved(text, shown),
             end="G-spot",
@@ -410,17 +411,14 @@ class _Attempt:
             unclear = next((each for each in events if isinstance(each, Unclear)), None)
             if unclear is None:
                 return self._open(_TOO_CLOSE)
-            return self._open(f"{unclear.name} may be grazing: it is not certain whether it happens")
+            return self._open(f"{unclear.name}: this may be grazing, it is not certain whether it happens")
         event, evidence = first
         self._note_slip(segment, event.end.tau)
         if self.surface is not None:  # until the event u is above it, whatever follows on the segment
             self.least_slip = None if self.least_slip is None else self.least_slip.max(self.surface.lower())
-        what = {"lift-off": "the contact force -b/p falls to 0 while p > 0", "stick": "slip stops while p > 0"}
         states = list(event.states)
         return self._made(
-            verdict=Verdict.proved(
-                f"{event.name} before any G-spot: {what[event.name]}", every([*self.shown, evidence])
-            ),
+            verdict=Verdict.proved(EVENTS[event.name], every([*self.shown, evidence])),
             end=event.name,
             time=states[-1],
             place=states[:-1],

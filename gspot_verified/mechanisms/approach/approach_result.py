@@ -15,6 +15,12 @@ from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
 
 LIFT_OFF, IMPACT = "lift-off", "impact without collision"
+SLIP_STOPS = "slip stops"
+STOPS_BEFORE = "slip stops before any G-spot (then stick, or slip the other way)"
+EVENTS = {
+    LIFT_OFF: "lift-off before any G-spot: the contact force -b/p falls to 0 while p > 0",
+    SLIP_STOPS: f"{STOPS_BEFORE}: u falls to the surface's velocity while p > 0",
+}
 RESTS_ON = (
     "reaching the G-spot and C1 are proved for rigid slip; the side is the paper's statement at leading order as "
     "epsilon -> 0 (Sec. 4.5), not a theorem at a finite epsilon"
@@ -47,9 +53,9 @@ class SlipPath(Written):
 class Approach(NoTruthValue, Written):
     """Where positive slip from a state leads.
 
-    ``end`` is "G-spot", "lift-off" or "stick", what is proved to come first; None when it is undecided. ``place`` is
-    the G-spot, or the state at the event; ``time`` the time until then. At a G-spot ``case`` ("none": in no Case, None:
-    the balls leave it open), ``alphas``, ``beta`` and ``coefficient`` (C_1) are what they are there; ``side`` is
+    ``end`` is "G-spot", "lift-off" or "slip stops", what is proved to come first; None when it is undecided. ``place``
+    is the G-spot, or the state at the event; ``time`` the time until then. At a G-spot ``case`` ("none": in no Case,
+    None: the balls leave it open), ``alphas``, ``beta`` and ``coefficient`` (C_1) are what they are there; ``side`` is
     "lift-off", "impact without collision", or None where it is undecided or the theory says none, and ``side_reason``
     says why. ``least_slip`` bounds u on the path from below; ``notes`` say how the mechanism was read. ``supposed``
     names what is 0 on the contact and was not shown to be exactly 0 in the state that was given: the statement is then
@@ -158,7 +164,7 @@ class Approach(NoTruthValue, Written):
         if followed and self.surface_velocity is None and self.least_slip is not None:
             texts.append(
                 f"u is not positive here: positive slip needs a surface that moves with a velocity below "
-                f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)}; nothing is said about stick"
+                f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)}; nothing is said of where slip stops"
             )
         return tuple(texts)
 

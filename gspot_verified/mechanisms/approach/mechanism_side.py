@@ -230,7 +230,7 @@ def _outcome(shifted: Shifted, found: Approach) -> tuple[tuple[str, ...], tuple[
     if found.verdict.evidence is None or found.end is None:
         return (), _Open(found.verdict.reason or Reason.HYPOTHESIS, found.verdict.detail)
     if found.end != "G-spot" or found.alphas is None or found.beta is None:
-        return (), _Open(Reason.BEYOND, f"rigid slip from this state ends by {found.end} before any G-spot")
+        return (), _Open(Reason.BEYOND, f"in rigid slip from this state: {found.end} before any G-spot")
     if found.case != "III":
         case = f"Case {found.case}" if found.case in ("I", "II") else found.side_reason
         return (), _Open(Reason.BEYOND, f"Theorem R is about Case III: {case}")

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 from flint import fmpq
 
+from gspot_verified.mechanisms.approach.approach_result import STOPS_BEFORE
 from gspot_verified.mechanisms.fates.box_fate import Fate
 from gspot_verified.mechanisms.fates.fate_piece import FatePiece
 from gspot_verified.mechanisms.fates.spot_sides import SpotSides
@@ -26,7 +27,7 @@ _WORDS = {
     Fate.ABOVE: "the G-spot is reached with C1 > 0",
     Fate.SPOT: "a G-spot is reached, the sign of C1 is open",
     Fate.LIFT_OFF: "lift-off before any G-spot",
-    Fate.STOPS: "slip stops before any G-spot (then stick, or slip the other way)",
+    Fate.STOPS: STOPS_BEFORE,
     Fate.OPENS: "no slip in contact: p > 0 and b > 0, the contact opens at once",
     Fate.PAINLEVE: "p < 0 at the start (Painlevé's paradox): nothing more is said",
     Fate.NO_SLIP: "no positive slip at the start",

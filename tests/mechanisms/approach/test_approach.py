@@ -140,10 +140,10 @@ BRAKED = parse_mechanism(model_text('"u", -1, "v", "b", 1, 1', "-1"))
 """u' = -1 - λ_N and, along slip, b/p = p/2 - c/p: from p = 1/2, b = -1/4 it lifts off with u smaller by 1/4."""
 
 
-def test_lift_off_is_not_first_where_stick_may_have_been() -> None:
+def test_lift_off_is_not_first_where_slip_may_have_stopped() -> None:
     """Slip stops before the lift-off on a surface of the velocity 1/100, and not before on one of -1/100."""
     state = {"x": 0, "u": "1/4", "p": "1/2", "b": "-1/4"}
-    assert approach(BRAKED, state, surface_velocity="1/100").end == "stick"
+    assert approach(BRAKED, state, surface_velocity="1/100").end == "slip stops"
     assert approach(BRAKED, state, surface_velocity="-1/100").end == "lift-off"
     found = approach(BRAKED, state, surface_velocity=arb(0, "1/64"))
     assert found.end is None
@@ -156,7 +156,7 @@ def test_a_ball_of_surface_velocities_is_written_no_wider_than_it_is() -> None:
     found = approach(model, state, surface_velocity=arb("1.3", "0.033332"))
     assert (found.end, found.surface_velocity) == ("G-spot", "[1.26667, 1.33333]")
     assert "on a surface with the velocity u in [1.26667, 1.33333]" in str(found)
-    assert approach(model, state, surface_velocity="1.3334").end == "stick"
+    assert approach(model, state, surface_velocity="1.3334").end == "slip stops"
     side = mechanism_side(model, state, surface_velocity=arb("1.3", "0.033332"))
     assert " on a surface with the velocity u in [1.26667, 1.33333]: for every family" in side.verdict.statement
     exact = approach(model, state, surface_velocity=arb("1.25"))
@@ -171,18 +171,18 @@ def test_the_least_slip_holds_up_to_the_event() -> None:
     assert finite(found.least_slip) <= fmpq(-5, 4)
     assert finite(found.least_slip) > fmpq(-13, 10)
     assert approach(BRAKED, state, surface_velocity=finite(found.least_slip) - fmpq(1, 1000)).end == "lift-off"
-    assert approach(BRAKED, state, surface_velocity="-1249/1000").end == "stick"
+    assert approach(BRAKED, state, surface_velocity="-1249/1000").end == "slip stops"
 
 
-def test_the_least_slip_of_a_path_that_sticks_is_the_surfaces_velocity() -> None:
+def test_the_least_slip_of_a_path_that_stops_is_the_surfaces_velocity() -> None:
     found = approach(BRAKED, {"x": 0, "u": "6/25", "p": "1/2", "b": "-1/4"})
-    assert found.end == "stick"
+    assert found.end == "slip stops"
     assert abs(finite(found.least_slip)) < fmpq(1, 10**12)
 
 
 @pytest.mark.parametrize(
     ("friction", "end"),
-    [("73/36 + (theta - theta_ref + 1/20)", "stick"), ("73/36 + 10*(theta - theta_ref + 1/20)", None)],
+    [("73/36 + (theta - theta_ref + 1/20)", "slip stops"), ("73/36 + 10*(theta - theta_ref + 1/20)", None)],
 )
 def test_friction_is_not_negative_on_the_way(friction: str, end: str | None) -> None:
     """mu is 73/36 at the start; where it falls below 0 on the way nothing is proved."""
@@ -194,10 +194,10 @@ def test_friction_is_not_negative_on_the_way(friction: str, end: str | None) -> 
         assert "friction" in found.side_reason
 
 
-def test_stick_in_closed_form() -> None:
+def test_where_slip_stops_in_closed_form() -> None:
     """du/dt = -λ: u = 1 - 2 t - (4/3)(p_0^(3/2) - p^(3/2))/p_0^(1/2), p = 1/2 - t."""
     found = from_model(MODEL, "1/2", "-2", "1")
-    assert found.end == "stick"
+    assert found.end == "slip stops"
     time = finite(found.time)
     with working_bits(160):
         p, half = arb(fmpq(1, 2)) - time, arb(fmpq(1, 2))
@@ -403,7 +403,7 @@ def test_the_oscillator_needs_a_moving_surface() -> None:
     assert moving.side == IMPACT
     assert moving.warnings == ()
     slow = approach(OSCILLATOR, state, surface_velocity="-1/2")
-    assert slow.end == "stick"
+    assert slow.end == "slip stops"
     with pytest.raises(StateError, match="no positive slip: u = "):
         approach(OSCILLATOR, state, surface_velocity=0)
 

@@ -18,9 +18,9 @@ def test_what_is_said_of_each_end() -> None:
     assert found.side == LIFT_OFF
     assert (found.exit_code, found.warnings) == (0, ())
     assert replace(found, side=None).exit_code == 2
-    assert replace(found, side=None, end="stick").exit_code == 0
+    assert replace(found, side=None, end="slip stops").exit_code == 0
     assert replace(found, verdict=Verdict.undecided("x", Reason.BUDGET, "y")).exit_code == 2
-    text, event = str(found), replace(found, end="stick", case=None, solved=("y", "v"), side=None)
+    text, event = str(found), replace(found, end="slip stops", case=None, solved=("y", "v"), side=None)
     assert f"\n  side: lift-off ({found.side_reason})\n  " in text
     assert "\n  the G-spot: x = " in text
     assert f"\n  Case {found.case}, beta = " in text
@@ -41,7 +41,7 @@ def test_what_is_said_of_each_end() -> None:
     assert bare.endswith("\n  noted")
     moving = replace(found, surface_velocity=None, least_slip=arb(-2))
     assert moving.warnings[0].startswith("u is not positive here: positive slip needs a surface that moves with a vel")
-    assert moving.warnings[0].endswith("below -2.00001; nothing is said about stick")
+    assert moving.warnings[0].endswith("below -2.00001; nothing is said of where slip stops")
     assert replace(moving, least_slip=None).warnings == ()
     assert replace(moving, verdict=Verdict.undecided("it ends", Reason.BUDGET)).warnings == ()
     first, second = replace(moving, supposed=("y", "v")).warnings

@@ -34,7 +34,7 @@ def path(coefficient: Any, end: str = "G-spot", outcome: Outcome = Outcome.PROVE
         (path(arb(0, 1)), 1, None, None),
         (path(arb(2)), None, None, None),
         (path(None), 1, None, None),
-        (path(arb(2), end="stick"), 1, None, None),
+        (path(arb(2), end="slip stops"), 1, None, None),
         (path(arb(2), outcome=Outcome.UNDECIDED), 1, None, None),
     ],
 )
