@@ -116,7 +116,7 @@ def floats_agree(chi: int, nu: fmpq) -> bool | None:
 
 
 def _times(run: SceneRun) -> str:
-    return ", ".join(f"{event.name} at t = {approximate(event.lower):.9g}" for event in run.events)
+    return ", ".join(event.rounded(9) for event in run.events)
 
 
 def _run(chi: int, nu: fmpq, second: Check, note: str) -> Entry:

@@ -138,7 +138,7 @@ def _start(name: str) -> Entry:
         Rung.POINTS.check(
             f"a float run at ε = 10^-6 ({FLOATS[0]}): {', '.join(SEQUENCES[name])}",
             floats_show(name),
-            ", ".join(f"{e.name} at t = {approximate(e.lower):.8g}" for e in simulated(name).events),
+            ", ".join(e.rounded(8) for e in simulated(name).events),
         ),
         note="The start z is not given in the paper: z = 0 in the float run, which relaxes. The third start of the "
         "paper (on the distinguished trajectory at p = 1/100) cannot be checked: its numbers are not printed.",

@@ -7,7 +7,6 @@ from functools import lru_cache
 
 from flint import fmpq
 
-from gspot_verified.numbers.balls import approximate
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.checks.entry import Builders, Entry, Rung, Section, all_of
 from gspot_verified.scenes.certified_run import INTEGRATOR, certified_run
@@ -85,7 +84,7 @@ def _told(case: Case) -> str:
 
 
 def _times(case: Case) -> str:
-    events = ", ".join(f"{event.name} {approximate(event.lower):.6g}" for event in run_of(case).events)
+    events = ", ".join(event.rounded(6) for event in run_of(case).events)
     return f"χ = {case.coupling}, ε = {case.epsilon}: {events}"
 
 

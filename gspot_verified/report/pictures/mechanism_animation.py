@@ -281,9 +281,7 @@ def _timeline(film: Film, top: float) -> list[str]:
 
 
 def _events(run: SceneRun) -> str:
-    shown = [
-        f"{event.name} at t = {float(event.lower.p) / float(event.lower.q):.4g}" for event in run.events[:_MOST_EVENTS]
-    ]
+    shown = [event.rounded(4) for event in run.events[:_MOST_EVENTS]]
     more = len(run.events) - _MOST_EVENTS
     return ", ".join([*shown, *([f"and {more} more"] if more > 0 else [])]) or "no event"
 

@@ -52,6 +52,10 @@ class RunEvent:
             return f"{self.name}: {when}"
         return f"{self.name}: {'shown' if strength == CERTIFIED else 'seen'} from {when} on"
 
+    def rounded(self, digits: int) -> str:
+        """The event with the lower end of its bracket, as a float."""
+        return f"{self.name} {'from' if self.name == IMPACT else 'at'} t = {approximate(self.lower):.{digits}g}"
+
 
 class AtTime(NamedTuple):
     """An event of a simulation."""

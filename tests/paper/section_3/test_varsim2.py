@@ -17,6 +17,7 @@ from gspot_verified.paper.numerics.paper_state import paper_state
 from gspot_verified.paper.section_3 import varsim2 as ledger
 from gspot_verified.paper.section_3.varsim2 import IMPACT, LIFT_OFF, STICK
 from gspot_verified.scenes.certified.certified_result import statement
+from gspot_verified.scenes.scene.run import RunEvent
 
 QUARTER, FOUR = fmpq(1, 4), fmpq(4)
 
@@ -26,7 +27,7 @@ def run(*events: tuple[str, Any], proved: bool = True, multiples: tuple[int | No
     outcome = Outcome.PROVED if proved else Outcome.UNDECIDED
     fate = ", ".join(name for name, _ in events)
     return SimpleNamespace(
-        events=[SimpleNamespace(name=name, lower=fmpq(time), upper=fmpq(time)) for name, time in events],
+        events=[RunEvent(name, fmpq(time), fmpq(time)) for name, time in events],
         fate=fate,
         verdict=SimpleNamespace(outcome=outcome, statement=statement(fate, " until t = 3 after the start", multiples)),
     )

@@ -15,6 +15,7 @@ from gspot_verified.numbers.balls import working_bits
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.section_6 import section_6_runs as ledger
 from gspot_verified.paper.section_6.section_6_runs import IMPACT, LIFT_OFF, TOUCH_DOWN
+from gspot_verified.scenes.scene.run import RunEvent
 
 FIRST, SECOND = "6-first-start", "6-second-start"
 
@@ -92,7 +93,7 @@ def test_a_start_without_force_in_numbers(p: float) -> None:
 def simulation(*events: tuple[str, Any], t: Any = (), p: Any = (), samples: bool = True) -> Any:
     """A float run with these events and these values of t and p."""
     return SimpleNamespace(
-        events=[SimpleNamespace(name=name, lower=fmpq(time)) for name, time in events],
+        events=[RunEvent(name, fmpq(time), fmpq(time)) for name, time in events],
         samples=SimpleNamespace(columns={"t": list(t), "p": list(p)}) if samples else None,
     )
 
@@ -285,7 +286,7 @@ def test_the_entries_without_an_answer_are_open(monkeypatch: pytest.MonkeyPatch)
     )
     assert first.statement.endswith("until p < 0, and then lose contact")
     assert "then have a force above the given one" in second.statement
-    assert first.checks[-1].finding == "lift-off at t = 1, touch-down at t = 2, impact without collision at t = 3"
+    assert first.checks[-1].finding == "lift-off at t = 1, touch-down at t = 2, impact without collision from t = 3"
     entry = ledger.ENTRIES["6-lift-off-time"]()
     assert [check.agrees for check in entry.checks] == [None, None]
     assert [check.finding for check in entry.checks] == ["", ""]

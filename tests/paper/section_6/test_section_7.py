@@ -11,7 +11,7 @@ from flint import fmpq
 from gspot_verified.numbers.verdict import Outcome
 from gspot_verified.paper.section_6 import section_7 as ledger
 from gspot_verified.paper.section_6.section_7 import LIFT_OFF, STICK, TOUCH_DOWN
-from gspot_verified.scenes.scene.run import IMPACT
+from gspot_verified.scenes.scene.run import IMPACT, RunEvent
 
 AGAIN = (LIFT_OFF, TOUCH_DOWN, LIFT_OFF)
 FIRST = next(iter(ledger.RUNS))
@@ -19,7 +19,7 @@ FIRST = next(iter(ledger.RUNS))
 
 def events(*names: str, late: fmpq = fmpq(0)) -> tuple[Any, ...]:  # noqa: B008
     """One event a unit of time, each as late."""
-    return tuple(SimpleNamespace(name=name, lower=k + late) for k, name in enumerate(names))
+    return tuple(RunEvent(name, fmpq(k + late), fmpq(k + late)) for k, name in enumerate(names))
 
 
 def run(*names: str, outcome: Outcome = Outcome.PROVED) -> Any:
