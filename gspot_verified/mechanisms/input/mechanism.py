@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import fmpq
 
-from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
+from gspot_verified.expansion.series.regularisation import NO_DAMPER, PAPER, Regularisation
 from gspot_verified.functions.derivative import ZERO
 from gspot_verified.functions.expressions import Expression
 from gspot_verified.mechanisms.formulas.in_sympy import to_sympy
@@ -272,9 +272,10 @@ class Mechanism(Shown):
             )
         if not self.regularisation.is_papers:
             r = self.regularisation
+            same, end = ("Case, beta and side", "") if r.c else ("Case and beta", f"; {NO_DAMPER}")
             texts.append(
-                f"compliance k_1 = {r.k_1}/epsilon^2, k_2 = {r.k_2}/epsilon^2, c = {r.c}/epsilon: Case, beta and side "
-                f"are those of the paper's, with epsilon^2 times {r.compliance / 2} in the leading order"
+                f"compliance k_1 = {r.k_1}/epsilon^2, k_2 = {r.k_2}/epsilon^2, c = {r.c}/epsilon: {same} "
+                f"are those of the paper's, with epsilon^2 times {r.compliance / 2} in the leading order{end}"
             )
         return tuple(texts)
 

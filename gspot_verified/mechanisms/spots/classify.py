@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar
 
 from flint import fmpq
 
-from gspot_verified.expansion.series.regularisation import PAPER, Regularisation
+from gspot_verified.expansion.series.regularisation import NO_DAMPER, PAPER, Regularisation
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.mechanisms.spots.g_spot import DEFAULT_BITS, GSpot, find_g_spot
 from gspot_verified.numbers.balls import Exact, ball_text, sign_of, working_bits
@@ -39,6 +39,7 @@ class Classification(NoTruthValue, Written):
     ``case`` is "I", "II", "III", "none", or None when the balls leave it open; ``reason`` says why. ``beta``,
     ``mean_force`` are None where they do not exist (or may not). ``lift_off_sign`` is the sign of C_1 that lifts off,
     None except in Case III; ``impact_sign`` the one that takes an impact without collision, None in no Case.
+    Both are None where the contact has no damper.
     ``integer_beta`` is the integer (up to 10^6) that beta is or may be, at whose order 2 (beta - 1) of delta there is
     no unique expansion. ``slip_velocity`` is u at the G-spot; ``a``, ``A``, ``B``, ``C`` and ``p`` = C - mu B (it is 0,
     or a ball around 0) are those of Sec. 1.1. ``notes`` say how the mechanism was read: negative slip is mirrored.
@@ -92,7 +93,7 @@ class Classification(NoTruthValue, Written):
             return f"no Case: {self.reason.removeprefix(_NOT_THREE)}"
         if self.impact_sign is None:
             why = "is not evaluated" if self.integer_beta is None else f"is, or may be, the integer {self.integer_beta}"
-            return f"the side is open: β {why}"
+            return f"the side is open: {f'β {why}' if self.regularisation.c else NO_DAMPER}"
         return follows_text(self.lift_off_sign, self.impact_sign)
 
     @property
@@ -135,6 +136,8 @@ class Classification(NoTruthValue, Written):
         lines.append("  " + ", ".join(f"{name} = {_text(value)}" for name, value in contact))
         if self.impact_sign is not None:
             lines.append(f"  {side_text(self.lift_off_sign, self.impact_sign)}")
+        elif self.case in _CASES and not self.regularisation.c:
+            lines.append(f"  no side: {NO_DAMPER}")
         if self.integer_beta:
             lines.append(
                 f"  beta is, or may be, the integer {self.integer_beta}: no unique expansion, obstructed at order "
@@ -181,7 +184,7 @@ def classify_g_spot(spot: GSpot) -> Classification:
         force = second / (third - first) if sign_of_exact(third - first) in (1, -1) else None
         approached = not {sign_of_exact(first), sign_of_exact(third)} & {0, 1}
         integer = _integer_in(beta) if approached else None
-        lift_off, impact = sides_of(case, beta)
+        lift_off, impact = sides_of(case, beta) if spot.mechanism.regularisation.c else (None, None)
         return Classification(
             name=system.name,
             point=tuple(spot.to_json().items()),

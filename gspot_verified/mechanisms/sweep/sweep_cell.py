@@ -78,6 +78,8 @@ class Examination:
 
     equations: Equations
     digits: int
+    damped: bool = True
+    """Whether the contact is; else no side is named."""
     origins: list[Origin] = field(default_factory=list)
     sides: list[fmpq] = field(default_factory=list)
     left: int = BOXES
@@ -121,7 +123,7 @@ class Examination:
             self.beyond -= self.left < 0
             return self._halves(box, depth, known, self._longest(box))
         self.origins.append(Origin.of(on))
-        facts = findings(on, known.signs)
+        facts = findings(on, known.signs, damped=self.damped)
         if not facts.unsure:
             return [facts.piece(on, Kind.SETTLED)]
         boundary = facts.unsure[0] if len(facts.unsure) == 1 and facts.unsure[0] not in _NOT_A_BOUNDARY else None
@@ -182,7 +184,9 @@ class Examination:
             if between is None or not inside.concerns(between.tube):
                 return [*parts, SweepPiece((start,), (end,), Kind.NO_TUBE)]
             passing = Passing(boundary, 0, cut.direction, cut.before, cut.after)
-            parts.append(_with_passing(findings(between, {}).piece(between, Kind.CROSSING), passing))
+            parts.append(
+                _with_passing(findings(between, {}, damped=self.damped).piece(between, Kind.CROSSING), passing)
+            )
         return parts
 
 

@@ -75,8 +75,9 @@ def quantity(on: OnTube, name: str) -> Quantity:
     return third - first if name == DIFFERENCE else {"alpha_1": first, "alpha_2": second, "alpha_3": third}[name]
 
 
-def findings(on: OnTube, known: Mapping[str, int]) -> Findings:
-    """What the tube says; ``known`` holds signs of some boundaries (quantities, "beta - n") that hold on it."""
+def findings(on: OnTube, known: Mapping[str, int], *, damped: bool) -> Findings:
+    """What the tube says; ``known`` holds signs of some boundaries (quantities, "beta - n") that hold on it. Where the
+    contact is not ``damped`` no side is named."""
     first, second, third = on.quantities[:3]
     own = {"alpha_1": first, "alpha_2": second, "alpha_3": third, DIFFERENCE: third - first}
     numbers = {name: on.value(value) for name, value in own.items()}
@@ -86,9 +87,9 @@ def findings(on: OnTube, known: Mapping[str, int]) -> Findings:
     doubts = _doubts(on)
     case, unsure = case_of_signs(signs)
     lift_off = impact = None
-    if case in ("I", "II"):
+    if case in ("I", "II") and damped:
         impact = -1
-    elif case == "III":
+    elif case == "III" and damped:
         lift_off, impact, unsure = _side(numbers["beta"], known)
     return Findings(numbers, case, lift_off, impact, (*doubts, *unsure))
 

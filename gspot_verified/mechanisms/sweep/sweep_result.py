@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 
 from flint import fmpq
 
+from gspot_verified.expansion.series.regularisation import NO_DAMPER
 from gspot_verified.mechanisms.sweep.sweep_cell import BOXES, BOXES_BEYOND
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
@@ -348,6 +349,8 @@ def _piece_text(piece: Said | SweepPiece) -> str:
         return f"undecided: {', '.join(piece.unsure)}"
     if piece.case == "none":
         return "no Case"
+    if piece.impact_sign is None:
+        return f"Case {piece.case}: no side: {NO_DAMPER}"
     sides = side_text(piece.lift_off_sign, piece.impact_sign)
     return sides if piece.case == "III" else f"Case {piece.case}{sides.removeprefix('Cases I and II')}"
 

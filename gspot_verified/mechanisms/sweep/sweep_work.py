@@ -119,7 +119,7 @@ class Answer(NamedTuple):
 def examine(question: Question, cells: Sequence[Cell], known: Choices | None = None, kept: bool = True) -> Answer:
     """The pieces of some cells, and their tubes as choices, of which ``known`` ones are tried first; it pickles, and so
     do its arguments and its answer. ``kept``: with what a journal keeps."""
-    examination = Examination(question.equations(), question.digits)
+    examination = Examination(question.equations(), question.digits, question.mechanism.regularisation.c > 0)
     pieces, choices, boxes = [], [], []
     made = cells.located(question.conditions()) if isinstance(cells, GridCells) else cells
     for cell, tubes in zip_longest(made, (known or [])[: len(cells)], fillvalue=None):

@@ -145,7 +145,10 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
         on = trace.tube(equations, values, values, search, partial(is_sought, question.start, values))
         if on is None:
             return _unknown(mechanism, row, "undecided", _NOT_FOUND)
-        facts, point = findings(on, {}), counted_from_zero(mechanism, on.tube.zero_at(values))
+        facts, point = (
+            findings(on, {}, damped=mechanism.regularisation.c > 0),
+            counted_from_zero(mechanism, on.tube.zero_at(values)),
+        )
         known = facts.case, facts.lift_off_sign, facts.impact_sign
         case, lift_off, impact = (None, None, None) if set(HYPOTHESES) & set(facts.unsure) else known
         return ClassifiedRow(

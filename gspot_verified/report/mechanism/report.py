@@ -389,7 +389,8 @@ def _parts(subject: Subject, choose: bool, say: Callable[[str], None]) -> tuple[
     case, planned = subject.classified.case, list[tuple[str, Callable[[], ReportPart]]]()
     if subject.mechanism.drawing is not None:
         planned.append(("The mechanism there", partial(mechanism_picture_part, subject)))
-    if case in ("I", "II", "III"):
+    has_sides = case in ("I", "II", "III") and subject.mechanism.regularisation.c > 0
+    if has_sides:
         planned.append((_SIDES, partial(side_part, subject)))
     impact, lift_off = subject.classified.impact_sign, subject.classified.lift_off_sign
     for c1, after in ((impact, "impact"), (lift_off, "lift-off")):
@@ -400,7 +401,7 @@ def _parts(subject: Subject, choose: bool, say: Callable[[str], None]) -> tuple[
         planned.append((force, partial(force_part, subject, c1, force)))
         if case == "III":
             planned.append((solutions, partial(true_solutions_part, subject, c1, solutions, say)))
-    if case in ("I", "II", "III"):
+    if has_sides:
         planned.append(("The sign and the zeros of dΘ/dτ", partial(zeros_part, subject)))
     if case == "III":
         planned.append(("The contact force at leading order", partial(force_picture_part, subject)))

@@ -157,7 +157,7 @@ def caption(result: Sweep) -> str:
     if len(result.axes) == 1:
         text += f"; β lies in the dark boxes. Dotted: where Case or side may change ({len(result.crossings)})"
         text += ". Red: a fold" if result.folds else ""
-    if any(piece.case == "III" for piece in result.pieces):
+    if any(piece.lift_off_sign is not None for piece in result.pieces):
         text += ". Which sign of C₁ lifts off: by the paper's rule as ε → 0"
     return f"{text}." + (f" {left} pieces are not settled." if left else "")
 

@@ -12,6 +12,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified.expansion.series.recursion import ObstructedOrderError, Recursion
+from gspot_verified.expansion.series.regularisation import NO_DAMPER, Regularisation
 from gspot_verified.expansion.series.system import GSpotError
 from gspot_verified.functions.expressions import Constant
 from gspot_verified.mechanisms.expand import expand
@@ -285,6 +286,20 @@ def test_an_integer_that_beta_may_be_is_not_lost(middle: str, radius: str, holds
 def test_a_mean_force_that_is_negative_is_said_to_be() -> None:
     found = classify(shipped_mechanism("extended", alpha_2=-1, alpha_3="-1/2"))
     assert found.warnings[0].startswith("the mean force is tensile")
+
+
+def test_without_a_damper_no_side_is_named() -> None:
+    """Case and beta do not depend on the damper; what follows as ε → 0 does."""
+    for name, case in (("falling rod", "II"), ("oscillator", "III")):
+        damped = shipped_mechanism(name)
+        found = classify(replace(damped, regularisation=Regularisation.of(1, 1, 0)))
+        assert (found.case, found.beta) == (case, classify(damped).beta)
+        assert found.what_happens == f"the side is open: {NO_DAMPER}"
+        assert f"\n  no side: {NO_DAMPER}\n" in str(found)
+        data = found.to_json()
+        assert (data["impact_sign_of_C1"], data["lift_off_sign_of_C1"]) == (None, None)
+        assert NO_DAMPER in data["notes"][-1]
+        assert " side" not in data["notes"][-1]
 
 
 def test_json_has_every_number_as_text() -> None:

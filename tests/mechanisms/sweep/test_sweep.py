@@ -6,6 +6,7 @@ Page: proofs/sweep.md, sections 2 to 5.
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.families import family
 
+from gspot_verified.expansion.series.regularisation import NO_DAMPER, Regularisation
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.shipped import shipped_mechanism
@@ -218,6 +220,13 @@ def test_a_map_has_curves_of_crossings() -> None:
             assert piece.kind is Kind.SETTLED
             assert piece.lift_off_sign == (-1 if right < 2 else 1)
     assert area == fmpq(1, 2) * 2
+
+
+def test_without_a_damper_no_side_is_named() -> None:
+    for name, over, case in ((ROD, {"mu": "2..2.1:1"}, "II"), ("oscillator", {"beta": "7/4..9/4:1"}, "III")):
+        result = sweep(replace(shipped_mechanism(name), regularisation=Regularisation.of(1, 1, 0)), over)
+        assert {(piece.kind, *piece.answer) for piece in result.pieces} == {(Kind.SETTLED, case, None, None)}
+        assert f"Case {case}: no side: {NO_DAMPER}" in str(result)
 
 
 def test_two_spots_close_by_are_not_mixed_up() -> None:

@@ -13,6 +13,7 @@ import pytest
 from flint import arb
 
 from gspot_verified import GSpotError, MechanismError, classify, load
+from gspot_verified.expansion.series.regularisation import Regularisation
 from gspot_verified.mechanisms.table import classify_table as module
 from gspot_verified.mechanisms.table.classified_row import ClassifiedRow
 from gspot_verified.mechanisms.table.classify_table import classify_table
@@ -50,6 +51,15 @@ def test_a_row_says_what_classify_says() -> None:
     assert len({row.case for row in found}) > 1
     for row, values in zip(found, rows, strict=True):
         agrees(row, "genot_brogliato_rod", **values)
+
+
+def test_without_a_damper_a_row_names_no_side() -> None:
+    undamped = replace(ROD, regularisation=Regularisation.of(1, 1, 0))
+    (row,) = classify_table(undamped, rods(1))
+    (damped,) = classify_table(ROD, rods(1))
+    assert (row.outcome, row.case, row.numbers) == ("settled", damped.case, damped.numbers)
+    assert damped.impact_sign is not None
+    assert (row.lift_off_sign, row.impact_sign) == (None, None)
 
 
 def test_both_sides_of_an_integer_and_what_is_between() -> None:

@@ -12,9 +12,12 @@ import pytest
 
 from gspot_verified import load_scene
 from gspot_verified.cli import main
+from gspot_verified.expansion.series.regularisation import NO_DAMPER, Regularisation
 from gspot_verified.expansion.trajectory import Trajectory
 from gspot_verified.mechanisms.approach.slip_state import StateError
-from gspot_verified.mechanisms.shipped import shipped_text
+from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_text
+from gspot_verified.mechanisms.spots.classify import classify_g_spot
+from gspot_verified.mechanisms.spots.g_spot import find_g_spot
 from gspot_verified.numbers.verdict import Outcome, Reason, Verdict
 from gspot_verified.report.mechanism import certified_force, report, runs
 from gspot_verified.report.mechanism.certified_force import force_part, zeros_part
@@ -90,6 +93,15 @@ def test_the_side_is_that_of_the_classification(exact: Subject, in_balls: Subjec
         in side_part(in_balls).text
     )
     assert "Here: Cases I and II, by the paper's rule as ε → 0: C1 < 0 takes an IWC" in side_part(second_case).text
+
+
+def test_without_a_damper_neither_sides_nor_zeros_of_the_force_are_stated() -> None:
+    undamped = replace(shipped_mechanism("falling rod"), regularisation=Regularisation.of(1, 1, 0))
+    spot = find_g_spot(undamped)
+    subject = Subject(1, Source("rod.toml", "", {}), undamped, spot, classify_g_spot(spot))
+    parts = report._parts(subject, choose=False, say=lambda _: None)
+    assert not any(word in part.title for part in parts for word in ("sides", "impact", "dΘ/dτ"))
+    assert f"no side: {NO_DAMPER}" in parts[0].text
 
 
 def test_balls_of_beta_lie_in_the_range_of_the_command(
