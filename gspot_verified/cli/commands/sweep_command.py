@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -91,7 +92,7 @@ def sweep(
     for word in (each for each in fixed if each in ranges):
         raise ValueError(f"--set {word}: it varies by --over; --start {word}=... says where the sweep begins")
     mechanism = load(name, **fixed)
-    work: dict[str, Any] = {"spot": spot, "journal": journal, "progress": _show}
+    work: dict[str, Any] = {"spot": spot, "journal": journal, "progress": _progress()}
     if budget is not None:
         work["budget"] = budget
     with executor(workers, scheduler) as pool, outputs.journal(journal):
@@ -167,6 +168,13 @@ def _assignments(option: str, texts: list[str]) -> dict[str, str]:
     return values
 
 
-def _show(done: int, of: int) -> None:
-    said = done == of or done % _SAID == 0
-    counted(f"{done_of(done, of, 'cell')}, undecided pieces among them", done, done / of, said)
+def _progress() -> Callable[[int, int], None]:
+    """Shows the cells, and, once some are divided again, the undecided pieces among them."""
+    cells: list[int] = []
+
+    def show(done: int, of: int) -> None:
+        cells.append(of)
+        again = ", undecided pieces among them" if of > cells[0] else ""
+        counted(f"{done_of(done, of, 'cell')}{again}", done, done / of, done == of or done % _SAID == 0)
+
+    return show

@@ -34,6 +34,9 @@ _WORDS = {
     Fate.UNDECIDED: "undecided",
 }
 
+_ENDS = {Fate.BELOW, Fate.ABOVE, Fate.SPOT, Fate.LIFT_OFF, Fate.STOPS}
+"""Those in which slip is followed to its end."""
+
 
 @dataclass(frozen=True)
 class Fates(NoTruthValue, Written):
@@ -67,8 +70,7 @@ class Fates(NoTruthValue, Written):
     @property
     def verdict(self) -> Verdict:
         """Proved when no piece is undecided; then the sign of C_1 may be open on some, along the canard's curve."""
-        over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)
-        statement = f"{self.name}: where rigid slip ends, for every {over}"
+        statement = f"{self.name}: {self._what}, for every {self.states}"
         lower, upper = tuple(axis.lower for axis in self.axes), tuple(axis.upper for axis in self.axes)
         left = sum(piece.fate is Fate.UNDECIDED for piece in self.pieces)
         known = cover_by_boxes(
@@ -83,6 +85,27 @@ class Fates(NoTruthValue, Written):
         return Verdict.proved(
             statement, known, f"the sign of C1 is open on {counted(crossed, 'piece')}" if crossed else ""
         )
+
+    @property
+    def _what(self) -> str:
+        """What is said of the states, in words that hold for all pieces."""
+        found = {piece.fate for piece in self.pieces}
+        if len(found) == 1 and Fate.UNDECIDED not in found:
+            return _WORDS[next(iter(found))]
+        return "where rigid slip ends" if found <= _ENDS else "where rigid slip ends, or why it is not followed"
+
+    @property
+    def states(self) -> str:
+        """Of which states, on which surface."""
+        over = [f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes]
+        given = [f"{word} = {value}" for word, value in self.state]
+        velocity = f"with the velocity u = {self.surface_velocity}" if self.surface_velocity else "at rest"
+        return f"{', '.join([*over, *given])}, in contact on a surface {velocity}"
+
+    @property
+    def names_a_side(self) -> bool:
+        """Whether some piece reaches the G-spot with a certain sign of C_1, to which a side belongs."""
+        return self.sides.below is not None and any(piece.fate in (Fate.BELOW, Fate.ABOVE) for piece in self.pieces)
 
     def at(self, **values: ExactInput) -> FatePiece:
         """A piece that holds these values of the components that vary.
@@ -99,15 +122,16 @@ class Fates(NoTruthValue, Written):
         return _WORDS[fate] + (f": {names[side]} for small epsilon" if side else "")
 
     def __str__(self) -> str:
-        state = ", ".join(f"{word} = {value}" for word, value in self.state)
-        given = f"from {state}; " if state else ""
-        lines = [str(self.verdict), f"  {given}slip stops at u = {self.surface_velocity}"]
+        lines = [str(self.verdict)]
         lines.append(f"  the G-spot: {case_text(self.sides.case)}, beta = {ball_text(self.sides.beta, 8)}")
         for fate in Fate:
             share = self.shares.get(fate.value)
             if share is not None:
                 lines.append(f"  {_percent(share)} %: {self.words(fate)}")
-        lines.append(f"  {self.sides.rests_on or f'no side for small epsilon: {self.sides.why}'}")
+        if self.names_a_side:
+            lines.append(f"  {self.sides.rests_on}")
+        elif self.sides.why:
+            lines.append(f"  no side for small epsilon: {self.sides.why}")
         return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
 
     def to_csv(self) -> str:

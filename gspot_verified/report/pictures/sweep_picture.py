@@ -211,13 +211,12 @@ def _label(result: Fates, fate: Fate) -> str:
 
 def fates_caption(result: Fates) -> str:
     """What is certified in the picture."""
-    state = ", ".join(f"{word} = {value}" for word, value in result.state)
     left = sum(piece.fate is Fate.UNDECIDED for piece in result.pieces)
     text = (
-        f"{result.name}{f', from {state}' if state else ''}. Certified: on each of the {len(result.pieces)} pieces the "
+        f"{result.name}: {result.states}. Certified: on each of the {len(result.pieces)} pieces the "
         f"colour holds for every initial state{f'; {left} are undecided' if left else ''}."
     )
-    if result.sides.below is None:
+    if not result.names_a_side:
         return text
     return (
         f"{text} What follows the G-spot: for starts at rest in the contact, and epsilon below some epsilon_0 > 0, "
