@@ -37,7 +37,6 @@ class ContactForce(NoTruthValue, Written):
     """
 
     ask: ClassVar[str] = ".takes_impact says which side it is"
-    system: ClassVar[str] = LEADING
     left_open: ClassVar[Reason] = Reason.BUDGET
     """Why a comparison is open: more digits would settle it."""
     too_close: ClassVar[str] = "ε is too close to the largest ε0; ask for more digits"
@@ -50,6 +49,17 @@ class ContactForce(NoTruthValue, Written):
     alpha_2: fmpq
     alpha_3: fmpq
     c1: fmpq
+
+    @property
+    def numbers(self) -> str:
+        """The numbers of the system and the trajectory, as a statement names them."""
+        alphas = ", ".join(f"α{i} = {short_text(alpha)}" for i, alpha in enumerate(self.alphas, 1))
+        return f"β = {self.beta}, {alphas}, C1 = {short_text(self.c1)}"
+
+    @property
+    def system(self) -> str:
+        """How a statement at leading order begins."""
+        return of_system(LEADING, self)
 
     @property
     def alphas(self) -> tuple[fmpq, fmpq, fmpq]:
@@ -100,9 +110,8 @@ class ContactForce(NoTruthValue, Written):
 
     def lines(self) -> list[str]:
         """The system, the side, and the formula of the force."""
-        alphas = ", ".join(f"α{i} = {short_text(alpha)}" for i, alpha in enumerate(self.alphas, 1))
         return [
-            case_and_side(self.case, f"β = {self.beta}, {alphas}", self.c1, self.takes_impact),
+            case_and_side(self.case, self.numbers, self.takes_impact),
             f"  λ_N = {short_text(self.mean)} - (C1/α3) κ^(1-β) ε^({self.exponent}) dΘ/dτ, "
             f"κ^3 = {short_text(-self.alpha_1 / 2)}, {SCALED_TIME}",
         ]
@@ -178,12 +187,17 @@ def contact_force(
     return ContactForce(parameter, first, second, third, charge)
 
 
-def case_and_side(case: str | None, numbers: str, c1: fmpq, takes_impact: bool) -> str:
-    """The Case (None: open, as the sign of alpha_2), beta and the alphas as ``numbers`` has them, the side of C_1."""
+def case_and_side(case: str | None, numbers: str, takes_impact: bool) -> str:
+    """The Case (None: open, as the sign of alpha_2), the numbers, the side of C_1."""
     open_words = {None: "the sign of α2 is open, and with it the Case", "none": "no Case, between I and II"}
     words = open_words.get(case, f"Case {case}")
     side = "> 0, λ_N → +∞" if takes_impact else "< 0, λ_N → -∞"
-    return f"  {words}: {numbers}, C1 = {short_text(c1)}: the side C1/Γ(-β) {side}"
+    return f"  {words}: {numbers}: the side C1/Γ(-β) {side}"
+
+
+def of_system(model: str, force: ContactForce) -> str:
+    """How a statement about ``model`` with the numbers of ``force`` begins."""
+    return f"{model} with {force.numbers}"
 
 
 def rational(value: ExactInput, name: str) -> fmpq:

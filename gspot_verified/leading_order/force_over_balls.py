@@ -20,6 +20,7 @@ from gspot_verified.leading_order.contact_force import (
 )
 from gspot_verified.leading_order.stretches_over_ball import SlopeOverBall
 from gspot_verified.numbers.balls import ExactInput, ball, ball_text, bits_for_digits, exact, sign_of, working_bits
+from gspot_verified.numbers.short_text import short_text
 from gspot_verified.numbers.verdict import NoTruthValue, Reason
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import gamma_sign
@@ -41,7 +42,6 @@ class ForceOverBalls(NoTruthValue, Written):
     """
 
     ask: ClassVar[str] = ".takes_impact says which side it is"
-    system: ClassVar[str] = f"{LEADING}, {FOR_ALL}"
     left_open: ClassVar[Reason] = Reason.WIDE_INPUT
     """Why a comparison is open: the balls are too wide."""
     too_close: ClassVar[str] = "ε is not below the ε0 of all of them, nor above"
@@ -54,6 +54,19 @@ class ForceOverBalls(NoTruthValue, Written):
     c1: fmpq
     side: int
     """The sign of Gamma(-beta), one for the whole ball."""
+
+    @property
+    def numbers(self) -> str:
+        """The systems and the trajectory, as a statement names them."""
+        balls = {"β": self.beta, "α1": self.alpha_1, "α2": self.alpha_2, "α3": self.alpha_3}
+        shown = ", ".join(f"{name} = {ball_text(value)}" for name, value in balls.items())
+        # "For all numbers in the balls" is not said of those that are written: these are wider.
+        return f"{shown} (balls rounded outward), C1 = {short_text(self.c1)}"
+
+    @property
+    def system(self) -> str:
+        """How a statement at leading order begins."""
+        return f"{LEADING}, {FOR_ALL}, {self.numbers}"
 
     @property
     def direction(self) -> int:
@@ -108,10 +121,7 @@ class ForceOverBalls(NoTruthValue, Written):
 
     def lines(self) -> list[str]:
         """The systems and the side."""
-        balls = {"β": self.beta, "α1": self.alpha_1, "α2": self.alpha_2, "α3": self.alpha_3}
-        shown = ", ".join(f"{name} = {ball_text(value)}" for name, value in balls.items())
-        # "For all numbers in the balls" is not said of those that are written: these are wider.
-        side = case_and_side(self.case, f"{shown} (balls rounded outward)", self.c1, self.takes_impact)
+        side = case_and_side(self.case, self.numbers, self.takes_impact)
         return [side, f"  κ^3 = -α1/2, {SCALED_TIME}"]
 
 

@@ -13,7 +13,6 @@ from typing import ClassVar, TypeVar
 from flint import arb, fmpq
 
 from gspot_verified.leading_order.contact_force import (
-    LEADING,
     LEAST_TENS,
     ContactForce,
     below_threshold,
@@ -144,8 +143,8 @@ def leading_order_iwc(
     :raises ValueError: an argument out of range: see :func:`contact_force`; |tau_start| > 10^6; epsilon <= 0; digits
         not in 1..100; ``growth`` on the side that does not lift off, or with beta < 1.
 
-    >>> leading_order_iwc("3/2", c1=1).verdict.statement
-    'at leading order, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.17881880065137)'
+    >>> leading_order_iwc("3/2", c1=1).verdict.statement.split(": ")[1]
+    'λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.17881880065137)'
     """
     force = contact_force(beta, alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, c1=c1)
     asked = question(tau_start, epsilon, digits)
@@ -167,7 +166,7 @@ def _impact(force: ContactForce, asked: Question) -> IwcResult:
     nowhere_less = at_most(0, force.mean) if whole else at_most(0, least.value.lower())
     if nowhere_less is not None:
         by = theorem("proofs/signs.md", less(force.beta, 1), nowhere_less) if whole else nowhere_less
-        text = force_statement(None if whole else asked.start, asked.epsilon, None)
+        text = force_statement(None if whole else asked.start, asked.epsilon, None, force.system)
         verdict = Verdict.proved(text, by, BY_THEOREM if whole else "")
         return IwcResult(force, asked.start, whole, verdict, least, every_epsilon=True)
     return below_a_threshold(IwcResult, force, shape, asked)
@@ -183,7 +182,7 @@ def below_a_threshold(
     if asked.epsilon is not None:
         verdict = at_epsilon(force, shape, asked.epsilon, lower)
     elif epsilon_0 is None or (below := below_threshold(epsilon_0, lower)) is None:
-        text = f"{force.system}, some ε0 > 0 with λ_N > 0 for every τ in [{asked.start}, inf) and every ε in (0, ε0)"
+        text = f"{force.system}: some ε0 > 0 with λ_N > 0 for every τ in [{asked.start}, inf) and every ε in (0, ε0)"
         verdict = Verdict.undecided(text, force.left_open, f"no ε0 above 10^{LEAST_TENS} was found")
     else:
         verdict = Verdict.proved(force_statement(asked.start, None, epsilon_0, force.system), below, _by_theorem(force))
@@ -210,12 +209,12 @@ def _by_theorem(force: ContactForce | ForceOverBalls) -> str:
     return BY_THEOREM if force.beta < 1 else ""
 
 
-def force_statement(start: fmpq | None, epsilon: fmpq | None, bound: fmpq | None, system: str = LEADING) -> str:
+def force_statement(start: fmpq | None, epsilon: fmpq | None, bound: fmpq | None, system: str) -> str:
     """That the force of ``system`` is > 0 from ``start`` on (None: everywhere), at ``epsilon`` or below ``bound``."""
     tau = "every real τ" if start is None else f"every τ in [{start}, inf)"
     if epsilon is not None:
-        return f"{system}, λ_N > 0 for {tau} at ε = {short_text(epsilon)}"
-    return f"{system}, λ_N > 0 for {tau} and " + (
+        return f"{system}: λ_N > 0 for {tau} at ε = {short_text(epsilon)}"
+    return f"{system}: λ_N > 0 for {tau} and " + (
         "every ε > 0" if bound is None else f"every ε in (0, {short_text(bound)})"
     )
 

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.force_over_balls import ForceOverBalls, OpenHypothesis, force_over_balls
+from gspot_verified.leading_order.contact_force import LEADING
+from gspot_verified.leading_order.force_over_balls import FOR_ALL, ForceOverBalls, OpenHypothesis, force_over_balls
 from gspot_verified.leading_order.force_refutation import force_refutation
 from gspot_verified.leading_order.iwc import (
     BY_THEOREM,
@@ -62,12 +63,12 @@ def iwc_over_balls(
     :raises TypeError: a float.
     :raises ValueError: C_1 = 0; |tau_start| > 10^6; epsilon <= 0; digits not in 1..100.
 
-    >>> iwc_over_balls(-1, -1, arb("-1.5", "1e-9"), digits=6).verdict.statement
-    'at leading order, for all α1, α2, α3 in the balls, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.178818)'
+    >>> iwc_over_balls(-1, -1, arb("-1.5", "1e-9"), digits=6).verdict.statement.split(": ")[1]
+    'λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.178818)'
     """
     asked = question(tau_start, epsilon, digits)
     start = asked.start
-    text = f"{ForceOverBalls.system}, the sign of λ_N on [{start}, inf)"
+    text = f"{LEADING}, {FOR_ALL}, the sign of λ_N on [{start}, inf)"
     try:
         force = force_over_balls(alpha_1, alpha_2, alpha_3, c1)
     except OpenHypothesis as error:
@@ -104,17 +105,17 @@ def _lift_off(force: ForceOverBalls, shape: Stretches, epsilon: fmpq, digits: in
         crossing = first_crossing(shape, lambda places: force.level(epsilon, places), digits)
     except NotAbove:
         asked = Range(start, None, True, False)
-        against = force_refutation(force, f"{where}, λ_N > 0 at τ = {start}", asked, [start], epsilon)
+        against = force_refutation(force, f"{where}: λ_N > 0 at τ = {start}", asked, [start], epsilon)
         verdict = None if against is None else against.verdict
     if crossing is None:
         if verdict is None:
             detail = "a least or greatest value of λ_N is > 0 for some of them, perhaps, and < 0 for others"
-            text = f"{where}, the first zero of λ_N on [{start}, inf)"
+            text = f"{where}: the first zero of λ_N on [{start}, inf)"
             verdict = Verdict.undecided(text, Reason.WIDE_INPUT, detail)
         nothing = LiftOff(epsilon, None, None, None, None, False, verdict)
         return IwcOverBalls(force, start, False, verdict, lift_off=nothing)
     lower, upper, number = crossing.lower, crossing.upper, crossing.number
-    text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
+    text = f"{where}: λ_N > 0 on [{start}, τ_LO) and λ_N changes sign at τ_LO, τ_LO in ({decimal_text(lower, upper)})"
     verdict = Verdict.proved(
         text, crossing.evidence, "" if number is None else f"zeros of λ_N on [{start}, inf): {number}"
     )

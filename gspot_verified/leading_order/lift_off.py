@@ -10,7 +10,7 @@ from typing import ClassVar
 
 from flint import arb, fmpq
 
-from gspot_verified.leading_order.contact_force import LEADING, ContactForce
+from gspot_verified.leading_order.contact_force import ContactForce
 from gspot_verified.leading_order.force_refutation import force_refutation
 from gspot_verified.leading_order.stretches import NotAbove, first_crossing, stretches
 from gspot_verified.numbers.balls import ball_text, hull, working_bits
@@ -64,14 +64,14 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
     >>> print(lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10), 6))
     ε = 0.001: lift-off in 3.590583..3.590584, over ((β-1) ln(1/ε))^(2/3): [1.571 +/- 4.26e-4]
     """
-    where = f"{LEADING} at ε = {short_text(epsilon)}"
+    where = f"{force.system}, at ε = {short_text(epsilon)}"
     least = max(digits, _CRITICAL_DIGITS)
     for accuracy in (least, 4 * least):
         shape = stretches(force.beta, force.direction, start, accuracy)
         try:
             crossing = first_crossing(shape, lambda places: force.level(epsilon, places), digits)
         except NotAbove:
-            text = f"{where}, λ_N > 0 at τ = {start}"
+            text = f"{where}: λ_N > 0 at τ = {start}"
             against = force_refutation(force, text, Range(start, start, True, True), [start], epsilon)
             if against is not None:
                 return LiftOff(epsilon, None, None, None, None, False, against.verdict)
@@ -79,11 +79,11 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
         if crossing is not None:
             break
     if crossing is None:
-        text = f"{where}, the first zero of λ_N on [{start}, inf)"
+        text = f"{where}: the first zero of λ_N on [{start}, inf)"
         verdict = Verdict.undecided(text, Reason.BUDGET, "a least or greatest value of λ_N is too close to 0")
         return LiftOff(epsilon, None, None, None, None, False, verdict)
     lower, upper, number = crossing.lower, crossing.upper, crossing.number
-    text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
+    text = f"{where}: λ_N > 0 on [{start}, τ_LO) and λ_N changes sign at τ_LO, τ_LO in ({decimal_text(lower, upper)})"
     count = "" if number is None else f"zeros of λ_N on [{start}, inf): {number}"
     ratio = None
     if force.beta > 1 and epsilon < 1:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from flint import arb
@@ -66,9 +67,9 @@ def iwc(
         raise ValueError(f"{beta.name}: the statements are about Cases I, II and III, and here: {beta.reason}")
     alphas = (beta.alpha_1, beta.alpha_2, beta.alpha_3)
     if any(isinstance(value, arb) for value in alphas):
-        return _over_balls(beta.name, *alphas, chosen)
+        return replace(_over_balls(beta.name, *alphas, chosen), of_mechanism=True)
     first, second, third = alphas
-    return compliant_iwc(alpha_1=first, alpha_2=second, alpha_3=third, **chosen)
+    return replace(compliant_iwc(alpha_1=first, alpha_2=second, alpha_3=third, **chosen), of_mechanism=True)
 
 
 def _is_wide(value: ExactInput) -> bool:

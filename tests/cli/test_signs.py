@@ -266,7 +266,8 @@ def test_iwc_of_a_mechanism_in_balls(capsys: pytest.CaptureFixture[str], tmp_pat
     """Statements, but no certificate: it needs rational alphas."""
     code, output, _ = run(capsys, "iwc", "--mechanism", "genot_brogliato_rod")
     assert code == 0
-    assert output.startswith("proved: at leading order, for all α1, α2, α3 in the balls, λ_N > 0 for every real τ")
+    assert output.startswith("proved: at leading order, for all α1, α2, α3 in the balls, β = ")
+    assert "C1 = -1: λ_N > 0 for every real τ" in output.splitlines()[0]
     path = tmp_path / "x.cert"
     code, output, errors = run(capsys, "iwc", "--mechanism", "genot_brogliato_rod", "--certificate", str(path))
     assert (code, output) == (64, "")

@@ -244,11 +244,11 @@ def test_for_beta_between_1_and_2_only_the_half_line_is_stated() -> None:
     """From 5 on dΘ/dτ > 0: every ε serves there, and nothing is said of the τ before."""
     late = leading_order_iwc("3/2", tau_start=5)
     assert (late.verdict.outcome, late.every_epsilon, late.whole_line) == (Outcome.PROVED, True, False)
-    assert late.verdict.statement == "at leading order, λ_N > 0 for every τ in [5, inf) and every ε > 0"
+    assert late.verdict.statement.endswith("C1 = 1: λ_N > 0 for every τ in [5, inf) and every ε > 0")
     assert late.verdict.detail == leading_order_iwc("3/2").verdict.detail == ""
     assert leading_order_iwc("3/2").force.value(-10, 10**6) < 0
     whole = leading_order_iwc("1/2", alpha_2=1).verdict
-    assert whole.statement == "at leading order, λ_N > 0 for every real τ and every ε > 0"
+    assert whole.statement.endswith(": λ_N > 0 for every real τ and every ε > 0")
     assert "proofs/signs.md" in whole.detail
     refuted = leading_order_iwc("5/2", epsilon=2).verdict
     assert refuted.outcome is Outcome.REFUTED

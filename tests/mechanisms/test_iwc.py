@@ -9,6 +9,7 @@ import pytest
 from flint import arb, fmpq
 
 from gspot_verified import iwc
+from gspot_verified.compliant.contact.iwc import CONSTANT_ALPHAS
 from gspot_verified.compliant.contact.iwc import compliant_iwc as iwc_of_alphas
 from gspot_verified.mechanisms.load import load
 from gspot_verified.mechanisms.spots.classify import classify
@@ -19,7 +20,7 @@ ALPHAS = {"alpha_1": "-175/408", "alpha_2": "-186037/99144", "alpha_3": "-1225/1
 
 def test_a_mechanism_is_its_alphas() -> None:
     oscillator = load("oscillator")
-    expected = iwc_of_alphas(**ALPHAS, digits=6).to_json()  # type: ignore[arg-type]
+    expected = {**iwc_of_alphas(**ALPHAS, digits=6).to_json(), "caveat": CONSTANT_ALPHAS}  # type: ignore[arg-type]
     assert iwc(oscillator, digits=6).to_json() == expected
     assert iwc(classify(oscillator), digits=6).to_json() == expected
 
@@ -67,6 +68,7 @@ def test_balls_around_rational_alphas_contain_what_is_known_of_these(charge: int
         assert wide.slow is not None
         assert wide.leading.epsilon_0 < narrow.slow.threshold.lower
         assert wide.slow.verdict.statement.startswith("on the slow manifold of the compliant model, for all α1, α2, α3")
+        assert f"(balls rounded outward), C1 = {charge}: λ_N > 0" in wide.slow.verdict.statement
     else:
         assert (wide.slow, wide.lift_off) == (None, None)
         assert wide.caveat is not None
@@ -110,6 +112,16 @@ def test_the_rod_in_case_ii_holds_everywhere() -> None:
     for verdict in (result.leading.verdict, result.verdict):
         assert verdict.outcome is Outcome.PROVED
         assert verdict.statement.endswith("λ_N > 0 for every real τ and every ε > 0")
+
+
+@pytest.mark.parametrize("charge", [1, -1])
+def test_alphas_of_a_mechanism_are_constant(charge: int) -> None:
+    found = iwc(load("oscillator"), c1=charge, digits=6)
+    assert found.caveat == CONSTANT_ALPHAS
+    assert str(found).endswith(CONSTANT_ALPHAS)
+    assert iwc(found.leading.force.beta, c1=charge, digits=6).caveat is None
+    wide = iwc(load(IN_BALLS), digits=6)
+    assert str(wide.caveat).startswith(CONSTANT_ALPHAS)
 
 
 def test_theorem_c_is_used_below_5_only() -> None:

@@ -23,6 +23,7 @@ from gspot_verified.numbers.verdict import NoTruthValue, Verdict
 from gspot_verified.numbers.written import Written, under
 
 BALLS_CAVEAT = f"{CAVEAT}; the bounds for the compliant model are made for one rational β, and the alphas are balls"
+CONSTANT_ALPHAS = "α is constant, that of the G-spot: nothing is stated about the mechanism away from it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,8 @@ class StatementOf(NoTruthValue, Written):
 @dataclass(frozen=True, slots=True)
 class CompliantIwc(NoTruthValue, Written):
     """The result of :func:`compliant_iwc`: the statement at leading order and, where a theorem covers it, the one about
-    the compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side."""
+    the compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side.
+    ``of_mechanism``: the alphas are those of a mechanism at its G-spot."""
 
     written: ClassVar[str] = (
         f"{under('leading', IwcResult.written)} slow_manifold=slow slow_lift_off=lift_off statements caveat"
@@ -47,6 +49,7 @@ class CompliantIwc(NoTruthValue, Written):
     leading: IwcResult | IwcOverBalls
     slow: SlowManifold | None = None
     lift_off: SlowLiftOff | None = None
+    of_mechanism: bool = False
 
     @property
     def compliant(self) -> SlowManifold | SlowLiftOff | None:
@@ -70,16 +73,15 @@ class CompliantIwc(NoTruthValue, Written):
 
     @property
     def caveat(self) -> str | None:
-        """What is open; None where a theorem covers it."""
-        if self.compliant is not None:
-            return None
-        return BALLS_CAVEAT if isinstance(self.leading, IwcOverBalls) else CAVEAT
+        """What is not stated; None where a theorem covers it."""
+        texts = [CONSTANT_ALPHAS] if self.of_mechanism else []
+        if self.compliant is None:
+            texts.append(BALLS_CAVEAT if isinstance(self.leading, IwcOverBalls) else CAVEAT)
+        return "; ".join(texts) or None
 
     def __str__(self) -> str:
-        if self.caveat is not None:
-            return "\n".join([*self.leading.lines(), f"  {self.caveat}"])
-        assert self.compliant is not None
-        return "\n".join([*self.leading.lines(), *self.compliant.lines()])
+        lines = [*self.leading.lines(), *(() if self.compliant is None else self.compliant.lines())]
+        return "\n".join(lines if self.caveat is None else [*lines, f"  {self.caveat}"])
 
 
 def compliant_iwc(
@@ -104,8 +106,8 @@ def compliant_iwc(
     seconds). On the other side the lift-off time of the compliant model is bracketed at epsilon, and compared with that
     at leading order for every smaller epsilon (1 < beta < 5).
 
-    >>> compliant_iwc("5/2").verdict.statement
-    'on the slow manifold of the compliant model, λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'
+    >>> compliant_iwc("5/2").verdict.statement.split(": ")[1]
+    'λ_N > 0 for every τ in [-10, inf) and every ε in (0, 0.894881353)'
     """
     leading = leading_order_iwc(
         beta, alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, c1=c1, tau_start=tau_start, epsilon=epsilon,
@@ -147,5 +149,5 @@ def iwc_over_balls(
     everywhere = leading.every_epsilon and leading.whole_line
     start = None if everywhere else leading.start
     at = None if epsilon is None else rational(epsilon, "epsilon")
-    text = force_statement(start, at, leading.epsilon_0, f"{SLOW}, {FOR_ALL}")
+    text = force_statement(start, at, leading.epsilon_0, f"{SLOW}, {FOR_ALL}, {force.numbers}")
     return CompliantIwc(leading, SlowManifold(Verdict.proved(text, above, ABOVE), start, leading.whole_line))

@@ -16,7 +16,7 @@ from gspot_verified.compliant.contact.crossing import NotBelow, first_crossing
 from gspot_verified.compliant.contact.delay import lead, uniform_constant
 from gspot_verified.compliant.contact.to_the_left import positive_to_the_left
 from gspot_verified.compliant.slow.profile import SLOW, Profile, in_range
-from gspot_verified.leading_order.contact_force import ContactForce
+from gspot_verified.leading_order.contact_force import ContactForce, of_system
 from gspot_verified.leading_order.lift_off import LiftOff
 from gspot_verified.numbers.balls import approximate, working_bits
 from gspot_verified.numbers.evidence import at_most, theorem
@@ -84,9 +84,9 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
     if force.takes_impact:
         raise ValueError("c1: a lift-off needs C_1/Gamma(-beta) < 0")
     epsilon = leading.epsilon
-    where = f"{SLOW} at ε = {short_text(epsilon)}"
+    where = f"{of_system(SLOW, force)}, at ε = {short_text(epsilon)}"
     if not in_range(force, epsilon):
-        return _open(epsilon, start, f"{where}, the lift-off time", "ε |α1| is outside [1e-300, 1e6]")
+        return _open(epsilon, start, f"{where}: the lift-off time", "ε |α1| is outside [1e-300, 1e6]")
     profile = Profile.of(force, epsilon)
     try:
         crossing = first_crossing(profile, start, lambda places: force.level(epsilon, places), digits)
@@ -94,7 +94,7 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
         # first_crossing has just shown that the force is certainly below 0 at the start itself.
         shown = error.evidence
         asked = {"τ": Range(start, start, True, True)}
-        against = refutation(f"{where}, λ_N > 0 at τ = {start}", asked, [(start,)], lambda _: ("λ_N < 0", shown))
+        against = refutation(f"{where}: λ_N > 0 at τ = {start}", asked, [(start,)], lambda _: ("λ_N < 0", shown))
         assert against is not None  # the start lies in the range that is the start
         return SlowLiftOff(
             epsilon=epsilon,
@@ -108,10 +108,10 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
             uniform=None,
         )
     if crossing is None:
-        text = f"{where}, the first zero of λ_N on [{start}, inf)"
+        text = f"{where}: the first zero of λ_N on [{start}, inf)"
         return _open(epsilon, start, text, "a value of λ_N is too close to 0, or nothing was found")
     lower, upper = crossing.lower, crossing.upper
-    text = f"{where}, λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
+    text = f"{where}: λ_N > 0 on [{start}, τ_lo) and λ_N changes sign at τ_lo, τ_lo in ({decimal_text(lower, upper)})"
     proved = Verdict.proved(text, crossing.evidence)
     whole = positive_to_the_left(force, profile, start)
     if leading.verdict.outcome is not Outcome.PROVED or leading.lower is None or leading.upper is None:
@@ -132,7 +132,7 @@ def slow_lift_off(force: ContactForce, leading: LiftOff, start: fmpq, digits: in
         kappa = rounded_up(constant[0], _CONSTANT_DIGITS)
         both = [crossing.evidence, leading.verdict.evidence]
         known = theorem("proofs/monotone.md, section 9", *both, constant[1], at_most(constant[0], kappa))
-        uniform = None if known is None else Verdict.proved(_for_all(epsilon, start, kappa), known)
+        uniform = None if known is None else Verdict.proved(_for_all(force, start, epsilon, kappa), known)
     return SlowLiftOff(
         epsilon=epsilon,
         start=start,
@@ -161,9 +161,9 @@ def _open(epsilon: fmpq, start: fmpq, text: str, why: str) -> SlowLiftOff:
     )
 
 
-def _for_all(epsilon: fmpq, start: fmpq, kappa: fmpq) -> str:
+def _for_all(force: ContactForce, start: fmpq, epsilon: fmpq, kappa: fmpq) -> str:
     return (
-        f"{SLOW}, for every ε in (0, {short_text(epsilon)}]: λ_N > 0 on [{start}, τ_lo(ε)) and "
+        f"{of_system(SLOW, force)}: for every ε in (0, {short_text(epsilon)}] λ_N > 0 on [{start}, τ_lo(ε)) and "
         f"τ_LO(ε) - {short_text(kappa)} (η/8) τ_LO(ε)^(3/2) <= τ_lo(ε) <= τ_LO(ε), where τ_LO is the lift-off time at "
         f"leading order, η = (ε |α1|/2)^(1/3); τ_lo(ε) decreases strictly in ε"
     )

@@ -16,6 +16,7 @@ from gspot_verified.compliant.contact.threshold import MAX_BETA_OF_THEOREM, Thre
 from gspot_verified.compliant.contact.threshold_by_cells import MAX_BETA, threshold_by_cells
 from gspot_verified.compliant.contact.to_the_left import positive_to_the_left
 from gspot_verified.compliant.slow.profile import SLOW, Profile, in_range
+from gspot_verified.leading_order.contact_force import of_system
 from gspot_verified.leading_order.iwc import IwcResult, force_statement
 from gspot_verified.leading_order.stretches import stretches
 from gspot_verified.numbers.balls import working_bits
@@ -92,30 +93,34 @@ def _by_cells(leading: IwcResult, digits: int) -> SlowManifold | None:
     """beta > 5, where the leading order is no lower bound; None where it has no epsilon_0 to begin with."""
     if leading.epsilon_0 is None:
         return None
-    start = leading.start
+    force, start = leading.force, leading.start
     exact, whole = exact_epsilon_0(leading, digits)
     if exact is None:
-        text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
+        text = (
+            f"{of_system(SLOW, force)}: some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
+        )
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "no cell of ε was settled"), start, False)
-    return SlowManifold(_up_to(exact, exact.evidence, start, BY_CELLS), start, whole, exact)
+    return SlowManifold(_up_to(of_system(SLOW, force), exact, exact.evidence, start, BY_CELLS), start, whole, exact)
 
 
 def _below_threshold(leading: IwcResult, digits: int) -> SlowManifold:
-    start = None if leading.every_epsilon and leading.whole_line else leading.start
+    force, start = leading.force, None if leading.every_epsilon and leading.whole_line else leading.start
     if leading.every_epsilon:
-        verdict = Verdict.proved(force_statement(start, None, None, SLOW), _above(leading), ABOVE)
+        verdict = Verdict.proved(force_statement(start, None, None, of_system(SLOW, force)), _above(leading), ABOVE)
         return SlowManifold(verdict, start, leading.whole_line)
     exact, whole = exact_epsilon_0(leading, digits)
     if exact is None:
-        text = f"{SLOW}, some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
+        text = (
+            f"{of_system(SLOW, force)}: some ε0 > 0 with λ_N > 0 for every τ in [{start}, inf) and every ε in (0, ε0)"
+        )
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "none at leading order to begin with"), start, False)
     shown = every([_above(leading), exact.evidence])
-    return SlowManifold(_up_to(exact, shown, start, ABOVE), start, whole, exact)
+    return SlowManifold(_up_to(of_system(SLOW, force), exact, shown, start, ABOVE), start, whole, exact)
 
 
-def _up_to(exact: Threshold, shown: Evidence | None, start: fmpq | None, why: str) -> Verdict:
+def _up_to(system: str, exact: Threshold, shown: Evidence | None, start: fmpq | None, why: str) -> Verdict:
     """That the force is positive below the exact eps_0, where that was shown."""
-    text = force_statement(start, None, exact.lower, SLOW)
+    text = force_statement(start, None, exact.lower, system)
     if shown is None:
         return Verdict.undecided(text, Reason.HYPOTHESIS, "a comparison on the way to it is not certain")
     return Verdict.proved(text, shown, why)
@@ -137,9 +142,9 @@ def _at_epsilon(leading: IwcResult, epsilon: fmpq, digits: int) -> SlowManifold:
     force, start = leading.force, leading.start
     if (above := _above(leading)) is not None:
         everywhere = None if leading.every_epsilon and leading.whole_line else start
-        text = force_statement(everywhere, epsilon, None, SLOW)
+        text = force_statement(everywhere, epsilon, None, of_system(SLOW, force))
         return SlowManifold(Verdict.proved(text, above, ABOVE), everywhere, leading.whole_line)
-    text = force_statement(start, epsilon, None, SLOW)
+    text = force_statement(start, epsilon, None, of_system(SLOW, force))
     whole = force.beta < MAX_BETA_OF_THEOREM and _to_the_left(leading, digits)
     if not in_range(force, epsilon):
         return SlowManifold(Verdict.undecided(text, Reason.BUDGET, "ε |α1| is outside [1e-300, 1e6]"), start, False)

@@ -121,8 +121,9 @@ def _checked(
     if not (parameter >= -MAX_B and parameter <= MAX_B):
         raise ValueError(f"b: the library covers |b| <= {MAX_B}")
     with working_bits(1_024):  # 10^300 is exact in them
-        # tau <= 10^6 as tau^3 = (epsilon/2) T^3 <= 10^18: exact for rationals.
-        if not (point >= -(fmpq(10) ** MAX_TENS) and small * point * point * point <= 2 * MAX_SCALED_TIME**3):
+        # tau <= 10^6 as tau^3 = (epsilon/2) T^3 <= 10^18: exact for rationals; a ball T may reach a little beyond.
+        limit = 2 * MAX_SCALED_TIME**3 * (1 if isinstance(point, fmpq) else 1 + fmpq(1, 2**20))
+        if not (point >= -(fmpq(10) ** MAX_TENS) and small * point * point * point <= limit):
             raise ValueError(f"T: expected -1e{MAX_TENS} <= T and (epsilon/2)^(1/3) T <= {MAX_SCALED_TIME}")
     return bits_for_digits(digits), point, parameter, small
 

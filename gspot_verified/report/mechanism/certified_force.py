@@ -23,7 +23,6 @@ from gspot_verified.signs.zeros.brackets import zeros_at
 from gspot_verified.signs.zeros.integer_zeros import zeros_at_integer
 from gspot_verified.signs.zeros.zeros import zeros_on_range
 
-_MODEL = "This is about the compliant model with constant α, those of the G-spot, not about the mechanism away from it."
 _PICTURE_EPSILON = "1/1000"
 
 
@@ -33,7 +32,7 @@ def force_part(subject: Subject, c1: int, title: str) -> ReportPart:
     :raises ValueError: the G-spot is in no Case, or its compliance is not the paper's.
     """
     result = iwc(subject.classified, c1=c1)
-    words, text = [f"--c1={c1}"], f"{result}\n{_MODEL}"
+    words, text = [f"--c1={c1}"], str(result)
     files: tuple[CheckedCertificate, ...] = ()
     if isinstance(result.leading, IwcResult):
         name = subject.certificate_name("impact" if result.leading.force.takes_impact else "lift-off")

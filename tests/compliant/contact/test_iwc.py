@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import json
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -138,12 +139,40 @@ def test_over_balls_the_half_line_is_named_unless_a_theorem_holds_on_the_whole_l
         assert found.leading.every_epsilon
         assert found.slow is not None
         assert found.slow.verdict.outcome is Outcome.PROVED
-        assert found.slow.verdict.statement.endswith(
-            f"for all α1, α2, α3 in the balls, λ_N > 0 for {where} and every ε > 0"
-        )
+        assert ", for all α1, α2, α3 in the balls, β = " in found.slow.verdict.statement
+        assert found.slow.verdict.statement.endswith(f": λ_N > 0 for {where} and every ε > 0")
     assert (from_5.slow.start, everywhere.slow.start) == (fmpq(5), None)  # type: ignore[union-attr]
     assert not iwc_over_balls(*late, tau_start=5).leading.whole_line
     bounded = iwc_over_balls(*late)
     assert bounded.slow is not None
     assert bounded.leading.epsilon_0 is not None
     assert "every ε in (0, " in bounded.slow.verdict.statement
+
+
+SYSTEM = "with β = 7/3, α1 = -1, α2 = -1, α3 = -7/3, C1 = "
+
+
+@pytest.mark.parametrize("charge", ["-1", "1", "-0.5"])
+@pytest.mark.parametrize("options", [{}, {"epsilon": "1/100"}, {"epsilon": 10**7}, {"tau_start": 5}])
+def test_each_statement_names_its_numbers(charge: str, options: dict[str, Any]) -> None:
+    """Statements about two C_1, of which one is false of the other, had the same text."""
+    found = iwc("7/3", c1=charge, digits=6, **options)
+    systems = {"leading order": "at leading order", "slow manifold": "on the slow manifold of the compliant model"}
+    for stated in found.statements:
+        begin, _, rest = stated.verdict.statement.partition(f" {SYSTEM}{charge}")
+        assert (begin, rest[:1] in {":", ","}) == (systems[stated.system], True)
+
+
+def test_the_two_times_have_two_names() -> None:
+    found = iwc("3/2", c1=-1, digits=6)
+    assert found.lift_off is not None
+    assert "changes sign at τ_LO, τ_LO in (" in found.leading.verdict.statement
+    assert "changes sign at τ_lo, τ_lo in (" in found.lift_off.verdict.statement
+    assert "τ_lo" not in found.leading.verdict.statement
+
+
+@pytest.mark.parametrize("beta", ["5/2", "1/2"])
+def test_the_latest_start(beta: str) -> None:
+    """T = τ/η is a ball there, which is not certainly below its own bound."""
+    found = iwc(beta, c1=1, tau_start=10**6)
+    assert found.verdict.outcome is found.leading.verdict.outcome is Outcome.REFUTED
