@@ -194,7 +194,7 @@ def test_the_example_in_the_help_runs(
 def test_zeros_at_finite_epsilon(capsys: pytest.CaptureFixture[str]) -> None:
     code, output, _ = run(capsys, "zeros", "--beta", "5.95", "--eps", "0.1", "--digits", "6")
     assert code == 0
-    assert output.startswith("proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model")
+    assert output.startswith("proved: the number of real zeros T = t/ε (p = −t) of λ − λ̄ on the slow manifold of the ")
     assert "β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)" in output
     code, output, _ = run(capsys, "zeros", "--beta", "5", "--eps", "32", "--json")
     assert (code, json.loads(output)["number"]) == (0, 1)

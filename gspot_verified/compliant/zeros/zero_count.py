@@ -66,7 +66,7 @@ class SlowZeros(NoTruthValue, Written):
     @property
     def verdict(self) -> Verdict:
         """Proved, with the number; or undecided."""
-        question = f"the number of real zeros of {SYSTEM}, β = {self.beta}, ε = {self.epsilon}"
+        question = f"the number of real zeros T = t/ε (p = −t) of {SYSTEM}, β = {self.beta}, ε = {self.epsilon}"
         if self.number is None:
             return Verdict.undecided(question, Reason.BUDGET)
         return Verdict.proved(f"{question}: {self.number}", self._counted(self.number))

@@ -128,7 +128,7 @@ class Approach(NoTruthValue, Written):
         if self.on_surface:
             lines.append(f"  {self.on_surface}")
         if self.time is not None:
-            lines.append(f"  after the time t = {ball_text(self.time)}")
+            lines.append(f"  after the time t = {ball_text(self.time)} from the start")
         if self.place:
             lines.append(f"  {self._where()}: {self.components(self.place)}")
         if self.alphas is not None:
@@ -139,7 +139,9 @@ class Approach(NoTruthValue, Written):
         if self.beta is not None:
             lines.append(f"  {case_text(self.case)}, beta = {ball_text(self.beta)}")
         if self.coefficient is not None:
-            lines.append(f"  C1 = {ball_text(self.coefficient)}, b = b_distinguished + C1 (-t)^beta + ...")
+            lines.append(
+                f"  C1 = {ball_text(self.coefficient)}, b = b_distinguished + C1 (-t)^beta + ..., t = 0 at the G-spot"
+            )
         if self.end == "G-spot":
             lines.append(f"  side: {self.side or 'undecided'} ({self.side_reason})")
             lines.append(f"  {RESTS_ON}")

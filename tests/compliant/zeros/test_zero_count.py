@@ -102,8 +102,8 @@ def test_texts_and_data() -> None:
     found = slow_zeros("5.95", "1/10")
     assert found.verdict.outcome is Outcome.PROVED
     assert str(found).startswith(
-        "proved: the number of real zeros of λ − λ̄ on the slow manifold of the compliant model with α₁ = −1, C₁ ≠ 0, "
-        "β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)\n  T = [7.394"
+        "proved: the number of real zeros T = t/ε (p = −t) of λ − λ̄ on the slow manifold of the compliant model "
+        "with α₁ = −1, C₁ ≠ 0, β = 119/20, ε = 1/10: 1 (for Θ (ε → 0): 3)\n  T = [7.394"
     )
     assert str(slow_zeros("5/2", "1/10", 3)).splitlines()[0].endswith("ε = 1/10: 2 (as for Θ)")
     assert len(str(found).splitlines()) == 2
