@@ -111,7 +111,7 @@ def classify_all(
     return AllClassified(
         g_spots,
         tuple(replace(classify_g_spot(spot), number=number) for number, spot in pairs),
-        critical_friction(mechanism, bits, _FRICTION_BUDGET),
+        replace(critical_friction(mechanism, bits, _FRICTION_BUDGET), beyond_box=bool(box)),
         _vary(mechanism, g_spots),
         next((number for number, spot in pairs if named is not None and _is_named(spot, named)), None),
     )

@@ -53,6 +53,7 @@ class CriticalFriction(NoTruthValue, Written):
     None when nothing was found; ``reason`` says why. ``friction`` is the mechanism's own mu, None when it varies.
     ``mass_matrix`` is empty when the mass matrix is positive definite in every configuration with y = 0; else it says
     that it is not, or that this was not shown. ``held`` are fixed components with the values for which all this holds.
+    ``beyond_box``: it stands beside a search in a box, and is about all configurations none the less.
     """
 
     ask: ClassVar[str] = ".value is a ball, infinite, or None; .is_below is True, False or None"
@@ -65,6 +66,7 @@ class CriticalFriction(NoTruthValue, Written):
     reason: str = ""
     mass_matrix: str = ""
     held: Place = ()
+    beyond_box: bool = False
 
     @property
     def infinite(self) -> bool:
@@ -104,7 +106,8 @@ class CriticalFriction(NoTruthValue, Written):
     def _conditions(self) -> str:
         """What is to be known of the configurations beside."""
         held = "with " + ", ".join(f"{word} = {value}" for word, value in self.held) + " fixed" if self.held else ""
-        return "".join(f"; {text}" for text in (held, self.mass_matrix) if text)
+        scope = "of all configurations, not of the box alone" if self.beyond_box else ""
+        return "".join(f"; {text}" for text in (scope, held, self.mass_matrix) if text)
 
     def in_short(self) -> str:
         """The same in one line, with six digits and without the places."""
