@@ -18,6 +18,7 @@ from gspot_verified.numbers.verdict import Evidence
 
 MAX_CELLS = 2_000  # against endless work; the enclosure is then wider than asked for
 MAX_RIGHT = fmpq(10**4)  # tau up to which a rising f is looked for; then None
+_FAR = 8  # |tau| beyond which points for a rising f are looked for in longer and longer steps
 _GUARD_BITS = 64  # bits beyond those asked for, lost on the way; any number is right
 _SPARE_DIGITS = 4  # beyond those asked for, on the cells
 
@@ -93,7 +94,7 @@ def rising_from(profile: Profile, start: fmpq, digits: int) -> tuple[fmpq, Evide
         rises = every([equal(len(slopes), profile.order), *(less(0, slope) for slope in slopes)])
         if rises is not None:
             return point, rises
-        point += step
-        if point > 8:
+        point += step if point > -_FAR else (-point / 4).floor()
+        if point > _FAR:
             step *= 2
     return None

@@ -129,3 +129,14 @@ def test_where_it_rises(place: int) -> None:
     assert far[0] == 20_000
     assert rising_from(_Square(30_000), fmpq(20_000), 10) is None  # type: ignore[arg-type]
     assert least_value(_Square(30_000), fmpq(20_000), 10) is None  # type: ignore[arg-type]
+
+
+def test_a_start_far_to_the_left_costs_few_points(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One point for each unit of tau took twenty minutes from -10^6 on."""
+    square, seen = _Square(fmpq(1, 3)), []
+    of_square = square.derivatives
+    monkeypatch.setattr(square, "derivatives", lambda *given: seen.append(given) or of_square(*given))
+    found = rising_from(square, fmpq(-(10**6)), 8)  # type: ignore[arg-type]
+    assert found is not None
+    assert fmpq(1, 3) < found[0] <= 2
+    assert len(seen) < 100
