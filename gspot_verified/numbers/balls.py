@@ -381,6 +381,12 @@ ShownBall = Annotated[arb, ball_text]
 
 
 def rounded_text(value: float, direction: int, digits: int = 3) -> str:
-    """So many significant digits, rounded down (direction -1) or up (1)."""
+    """So many significant digits, rounded down (direction -1) or up (1).
+
+    >>> rounded_text(12.36, -1), rounded_text(12.36, 1), rounded_text(40.0, -1), rounded_text(12345.0, 1)
+    ('12.3', '12.4', '40', '1.24e+4')
+    """
     context = decimal.Context(prec=digits, rounding=decimal.ROUND_FLOOR if direction < 0 else decimal.ROUND_CEILING)
-    return f"{context.normalize(context.create_decimal_from_float(value)):g}"
+    rounded = context.normalize(context.create_decimal_from_float(value))
+    plain = rounded.is_finite() and 0 <= rounded.adjusted() < digits  # normalized, 40 would be 4e+1
+    return f"{rounded:f}" if plain else f"{rounded:g}"

@@ -23,8 +23,8 @@ from gspot_verified.numbers.written import Written, rows_text, under
 
 _SUMMARY = "name axes state surface_velocity sides verdict shares notes"
 _WORDS = {
-    Fate.BELOW: "the G-spot is reached with C1 < 0",
-    Fate.ABOVE: "the G-spot is reached with C1 > 0",
+    Fate.BELOW: "a G-spot is reached with C1 < 0",
+    Fate.ABOVE: "a G-spot is reached with C1 > 0",
     Fate.SPOT: "a G-spot is reached, the sign of C1 is open",
     Fate.LIFT_OFF: "lift-off before any G-spot",
     Fate.STOPS: STOPS_BEFORE,
@@ -33,6 +33,9 @@ _WORDS = {
     Fate.NO_SLIP: "no positive slip at the start",
     Fate.UNDECIDED: "undecided",
 }
+
+_NOT_KNOWN = {Fate.SPOT, Fate.UNDECIDED}
+"""Those that leave something open: their share is rounded up."""
 
 _ENDS = {Fate.BELOW, Fate.ABOVE, Fate.SPOT, Fate.LIFT_OFF, Fate.STOPS}
 """Those in which slip is followed to its end."""
@@ -123,11 +126,12 @@ class Fates(NoTruthValue, Written):
 
     def __str__(self) -> str:
         lines = [str(self.verdict)]
-        lines.append(f"  the G-spot: {case_text(self.sides.case)}, beta = {ball_text(self.sides.beta, 8)}")
+        spots = f"{case_text(self.sides.case)}, beta = {ball_text(self.sides.beta, 8)}"
+        lines.append(f"  each G-spot that is reached: {spots}")
         for fate in Fate:
             share = self.shares.get(fate.value)
             if share is not None:
-                lines.append(f"  {_percent(share)} %: {self.words(fate)}")
+                lines.append(f"  {_percent(share, 1 if fate in _NOT_KNOWN else -1)} %: {self.words(fate)}")
         if self.names_a_side:
             lines.append(f"  {self.sides.rests_on}")
         elif self.sides.why:
@@ -168,11 +172,11 @@ class FatesSummary(NoTruthValue, Written):
     fates: Fates
 
 
-def _percent(share: fmpq) -> str:
-    """Four digits, rounded down: 100 is said of the whole range alone."""
+def _percent(share: fmpq, direction: int) -> str:
+    """Four digits, rounded down (direction -1) or up (1); rounded down, 100 is said of the whole range alone."""
     if share == 1:
         return "100"
-    return rounded_text(min(approximate(100 * share), math.nextafter(100.0, 0.0)), -1, 4)
+    return rounded_text(min(approximate(100 * share), math.nextafter(100.0, 0.0)), direction, 4)
 
 
 def _size(lower: tuple[fmpq, ...], upper: tuple[fmpq, ...]) -> fmpq:

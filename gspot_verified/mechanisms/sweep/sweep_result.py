@@ -129,25 +129,31 @@ class Sweep(NoTruthValue, Written):
             self._verdict.append(self._judged())
         return self._verdict[0]
 
+    @property
+    def asked(self) -> str:
+        """What is settled on the pieces, and of which G-spot."""
+        what = "Case" if any(map(_names_no_side, self._swept.counts())) else "Case and side"
+        spot = f"the continued G-spot with {', '.join(self.fixed)} fixed" if self.fixed else "the continued G-spot"
+        return f"{what} of {spot}"
+
     def _judged(self) -> Verdict:
         over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)
         on_line = "brackets where one quantity passes zero or the spot vanishes"
         besides = on_line if len(self.axes) == 1 else "pieces along curves where one quantity may pass zero"
         ended = ", or that it is no more," if self._count(Kind.BEYOND) else ""
-        spot = f"the continued G-spot with {', '.join(self.fixed)} fixed" if self.fixed else "the continued G-spot"
-        statement = f"{self.name}: Case and side of {spot}{ended} for every {over}, except in the {besides}"
         counts = self._swept.counts()
-        left = sum(count for what, count in counts.items() if what.kind in _UNKNOWN) + self._wide_folds()
+        statement = f"{self.name}: {self.asked}{ended} for every {over}, except in the {besides}"
+        left = sum(count for said, count in counts.items() if said.kind in _UNKNOWN) + self._wide_folds()
         half = sum(not crossing.proved for crossing in self.crossings)
         if not left and not half:
             whole = tuple(axis.lower for axis in self.axes), tuple(axis.upper for axis in self.axes)
             covered = cover_by_boxes((box for _, box in self._swept.boxes()), whole)
             if covered is None:
                 return Verdict.undecided(statement, Reason.HYPOTHESIS, "the pieces leave a part of the range out")
-            if not any(what.kind is Kind.SETTLED for what in counts):
-                return Verdict.undecided(statement, Reason.HYPOTHESIS, "Case and side are settled on no piece")
+            if not any(said.kind is Kind.SETTLED for said in counts):
+                return Verdict.undecided(statement, Reason.HYPOTHESIS, "no piece is settled")
             crossed = self._count(Kind.CROSSING) if len(self.axes) > 1 else 0
-            detail = f"Case and side are open on {crossed} of {len(self.pieces)} pieces" if crossed else ""
+            detail = f"{crossed} of {len(self.pieces)} pieces are open" if crossed else ""
             return Verdict.proved(statement, covered, detail)
         finer = ", ".join(f"{axis.name}={axis.lower}..{axis.upper}:{2 * axis.cells}" for axis in self.axes)
         them = "it" if left == 1 else "them"
@@ -220,8 +226,11 @@ class Sweep(NoTruthValue, Written):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What makes a motion through the G-spot impossible, or not certainly possible, where it is in a Case."""
-        cases = [(what, count) for what, count in self._swept.counts().items() if what.case in ("I", "II", "III")]
+        """What makes a motion through the G-spot impossible, or not certainly possible, where it is, or may be, in a
+        Case."""
+        maybe = (Kind.SETTLED, Kind.CROSSING, Kind.OPEN)
+        counts = self._swept.counts().items()
+        cases = [(what, count) for what, count in counts if what.kind in maybe and what.case != "none"]
         tensile = sum(count for what, count in cases if what.case == "I")
         wrong = sum(count for what, count in cases if what.slip_sign in (-1, 0))
         unknown = sum(count for what, count in cases if what.slip_sign is None)
@@ -335,6 +344,11 @@ def _holds(lower: Sequence[fmpq], place: Sequence[fmpq], upper: Sequence[fmpq]) 
     return all(low <= value <= high for low, value, high in zip(lower, place, upper, strict=True))
 
 
+def _names_no_side(piece: Said | SweepPiece) -> bool:
+    """Whether a Case is settled and no side belongs to it: the contact has no damper."""
+    return piece.kind is Kind.SETTLED and piece.case != "none" and piece.impact_sign is None
+
+
 def _piece_text(piece: Said | SweepPiece) -> str:
     if piece.kind is Kind.NO_TUBE:
         return f"no continued spot was found{f': {ENDED}' if ENDED in piece.unsure else ''}"
@@ -349,7 +363,7 @@ def _piece_text(piece: Said | SweepPiece) -> str:
         return f"undecided: {', '.join(piece.unsure)}"
     if piece.case == "none":
         return "no Case"
-    if piece.impact_sign is None:
+    if _names_no_side(piece):
         return f"Case {piece.case}: no side: {NO_DAMPER}"
     sides = side_text(piece.lift_off_sign, piece.impact_sign)
     return sides if piece.case == "III" else f"Case {piece.case}{sides.removeprefix('Cases I and II')}"

@@ -15,7 +15,8 @@ from gspot_verified.numbers.written import Written
 class ClassifiedRow(NoTruthValue, Written):
     """One row of :func:`classify_table`, the first has the ``number`` 1; ``given`` are its values as they stood there.
 
-    "settled": Case and the two signs of C_1 hold at the one G-spot in ``point``. "undecided": what is None of them is
+    "settled": Case and the two signs of C_1 hold at the one G-spot in ``point``; without a damper no sign has a side,
+    and ``reason`` says so. "undecided": what is None of them is
     open, ``reason`` says why. "refused": no mechanism has these values; ``reason`` says what is wrong. ``numbers``
     enclose alpha_1, alpha_2, alpha_3, beta, the mean force and the slip velocity, ``point`` the state, angles included;
     None: not known, or not defined.

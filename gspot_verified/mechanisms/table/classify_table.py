@@ -17,6 +17,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from gspot_verified.expansion.series.regularisation import NO_DAMPER
 from gspot_verified.mechanisms.derive.impossible import refuse_impossible
 from gspot_verified.mechanisms.derive.to_system import counted_from_zero
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError, require_mechanism
@@ -151,6 +152,7 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
         )
         known = facts.case, facts.lift_off_sign, facts.impact_sign
         case, lift_off, impact = (None, None, None) if set(HYPOTHESES) & set(facts.unsure) else known
+        no_side = "" if mechanism.regularisation.c > 0 or case in (None, "none") else f"no side: {NO_DAMPER}"
         return ClassifiedRow(
             number=row.number,
             given=row.given,
@@ -158,7 +160,7 @@ def _row(question: _Question, row: ParameterRow, trace: TubeTrace) -> Classified
             case=case,
             lift_off_sign=lift_off,
             impact_sign=impact,
-            reason=f"not certain: {'; '.join(_said(name) for name in facts.unsure)}" if facts.unsure else "",
+            reason=f"not certain: {'; '.join(_said(name) for name in facts.unsure)}" if facts.unsure else no_side,
             numbers=tuple(zip(NUMBERS, facts.shown(), strict=True)),
             point=tuple(zip(mechanism.state, map(interval, point), strict=True)),
         )

@@ -40,6 +40,9 @@ _ANSWERS: dict[Any, tuple[str, str]] = {
     ("II", None, -1): (GREEN, "Case II"),
     ("III", -1, 1): (ORANGE, "Case III, C₁ < 0 lifts off"),
     ("III", 1, -1): (PURPLE, "Case III, C₁ > 0 lifts off"),
+    ("I", None, None): (BLUE, "Case I, no side: no damper"),
+    ("II", None, None): (GREEN, "Case II, no side: no damper"),
+    ("III", None, None): (ORANGE, "Case III, no side: no damper"),
     ("none", None, None): (PAPER, "no Case"),
 }
 _OTHERS = {
@@ -64,9 +67,9 @@ def _saved(result: Sweep, path: Path) -> Path:
     figure = canvas(5.2)
     axes = figure.subplots()
     (_line if len(result.axes) == 1 else _map)(result, axes)
-    _legend(axes, dict.fromkeys(map(_look, result.pieces)), 0.5)
+    _legend(axes, dict.fromkeys(map(look, result.pieces)), 0.5)
     _write_below(figure, caption(result))
-    return save_figure(figure, "sweep", f"{result.name}: Case and side of the G-spot over {_over(result)}", path)
+    return save_figure(figure, "sweep", f"{result.name}: {result.asked} over {_over(result)}", path)
 
 
 def _write_below(figure: Figure, words: str) -> None:
@@ -91,7 +94,7 @@ def _line(result: Sweep, axes: Axes) -> None:
     for piece in result.pieces:
         left, right = (approximate(end[0]) for end in (piece.lower, piece.upper))
         backgrounds.append(Rectangle((left, bottom - margin), right - left, top - bottom + 2 * margin))
-        colours.append(_look(piece)[0])
+        colours.append(look(piece)[0])
         height = _beta(piece)
         if height is not None:
             boxes.append(Rectangle((left, height[0]), right - left, max(height[1] - height[0], 0.0)))
@@ -106,7 +109,7 @@ def _line(result: Sweep, axes: Axes) -> None:
 
 
 def _map(result: Sweep, axes: Axes) -> None:
-    _draw_pieces(result, axes, [_look(piece)[0] for piece in result.pieces], 0.6)
+    _draw_pieces(result, axes, [look(piece)[0] for piece in result.pieces], 0.6)
 
 
 def _draw_pieces(result: Sweep | Fates, axes: Axes, colours: list[str], alpha: float) -> None:
@@ -138,7 +141,8 @@ def _legend(axes: Axes, looks: Iterable[tuple[str, str]], alpha: float) -> None:
     axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=3, fontsize=8.5, frameon=False)
 
 
-def _look(piece: SweepPiece) -> tuple[str, str]:
+def look(piece: SweepPiece) -> tuple[str, str]:
+    """The colour of a piece, and what it means."""
     return _ANSWERS[piece.answer] if piece.kind is Kind.SETTLED else _OTHERS[piece.kind]
 
 
@@ -151,7 +155,8 @@ def caption(result: Sweep) -> str:
     """What is certified in the picture."""
     left = sum(piece.kind in (Kind.OPEN, Kind.NO_TUBE) for piece in result.pieces)
     text = (
-        f"{result.name}. Certified: on each of the {len(result.pieces)} pieces the colour holds for every value of "
+        f"{result.name}: {result.asked}. Certified: on each of the {len(result.pieces)} pieces the colour holds for "
+        f"every value of "
         f"{' and '.join(axis.name for axis in result.axes)}"
     )
     if len(result.axes) == 1:

@@ -196,6 +196,17 @@ def test_a_share_is_rounded_down(share: fmpq, shown: str) -> None:
     assert f"  {shown} %: p < 0 at the start" in text
 
 
+@pytest.mark.parametrize(
+    ("share", "shown"), [(fmpq(1, 10), "10"), (fmpq(2, 5), "40"), (fmpq(19, 32), "59.38"), (fmpq(1, 3), "33.34")]
+)
+def test_the_share_of_what_is_undecided_is_rounded_up(share: fmpq, shown: str) -> None:
+    result = fates(family(), {"x": 0, "u": 2, "b": "1/4"}, {"p": "-3/8..-1/8:1"})
+    (piece,) = result.pieces
+    cut = fmpq(-1, 8) - share / 4
+    parts = (replace(piece, upper=(cut,)), replace(piece, lower=(cut,), fate=Fate.UNDECIDED))
+    assert f"  {shown} %: undecided" in str(replace(result, pieces=parts))
+
+
 def test_a_cell_on_an_edge_of_the_starts_says_so() -> None:
     result = fates(family(), {"x": 0, "u": 2, "p": "1/4"}, {"b": "-1/8..1/8:1"})
     assert [piece.fate for piece in result.pieces] == [Fate.UNDECIDED]
@@ -284,7 +295,7 @@ def test_text_json_and_csv() -> None:
     for case, words in (("I", "Case I"), ("none", "no Case"), (None, "the Case is open")):
         sides = replace(result.sides, case=case, below=None, above=None, why="no rule")
         text = str(replace(result, sides=sides))
-        assert f"  the G-spot: {words}, beta = " in text
+        assert f"  each G-spot that is reached: {words}, beta = " in text
         assert text.endswith("\n  no side for small epsilon: no rule")
         assert sides.to_json()["rests_on"] == ""
     with pytest.raises(ValueError, match="a rational in"):

@@ -227,6 +227,7 @@ def test_without_a_damper_no_side_is_named() -> None:
         result = sweep(replace(shipped_mechanism(name), regularisation=Regularisation.of(1, 1, 0)), over)
         assert {(piece.kind, *piece.answer) for piece in result.pieces} == {(Kind.SETTLED, case, None, None)}
         assert f"Case {case}: no side: {NO_DAMPER}" in str(result)
+        assert ": Case of the continued G-spot" in result.verdict.statement
 
 
 def test_two_spots_close_by_are_not_mixed_up() -> None:

@@ -177,6 +177,16 @@ def test_a_slip_velocity_is_wrong_or_not_known() -> None:
     assert "on 2 pieces, perhaps on 3 more" in warning
 
 
+def test_the_slip_velocity_of_pieces_whose_case_is_open_counts_too() -> None:
+    """They may be in a Case; those that are in none, and those without a spot, do not count."""
+    wrong = PackedIntervals([None] * (len(NUMBERS) - 1) + [Dyadic(-2, -1)])
+    kinds = (Kind.SETTLED, Kind.CROSSING, Kind.OPEN, Kind.NO_TUBE)
+    parts = [replace(piece(10 + k, 11 + k, kind), numbers=wrong) for k, kind in enumerate(kinds)]
+    none = replace(piece(14, 15, Kind.SETTLED), numbers=wrong, case="none", lift_off_sign=None, impact_sign=None)
+    (warning,) = line(*parts, none, upper=15).warnings
+    assert warning.startswith("u <= 0 at the G-spot on 3 pieces, perhaps on 0 more")
+
+
 def test_the_boxes_of_a_cell_and_the_budget_may_end_both() -> None:
     """Each reason is said once, apart from the other."""
     ended = SweepPiece((fmpq(10),), (fmpq(11),), Kind.NO_TUBE, unsure=(ENDED,))
@@ -218,11 +228,11 @@ def test_of_a_curve_on_a_map_it_is_not_said_that_it_is_there() -> None:
     half = plane(crossings[0], settled)
     assert half.verdict.outcome is Outcome.PROVED
     assert "pieces along curves where one quantity may pass zero" in half.verdict.statement
-    assert half.verdict.detail == "Case and side are open on 1 of 2 pieces"
+    assert half.verdict.detail == "1 of 2 pieces are open"
     assert "one piece: beta may pass 2" in str(half)
     nothing = plane(*crossings).verdict
     assert nothing.outcome is Outcome.UNDECIDED
-    assert "Case and side are settled on no piece" in nothing.detail
+    assert "no piece is settled" in nothing.detail
 
 
 def test_a_range_of_brackets_alone_is_not_proved() -> None:

@@ -60,6 +60,7 @@ def test_without_a_damper_a_row_names_no_side() -> None:
     assert (row.outcome, row.case, row.numbers) == ("settled", damped.case, damped.numbers)
     assert damped.impact_sign is not None
     assert (row.lift_off_sign, row.impact_sign) == (None, None)
+    assert (row.reason, damped.reason) == ("no side: the contact has no damper (c = 0): nothing is damped", "")
 
 
 def test_both_sides_of_an_integer_and_what_is_between() -> None:

@@ -12,7 +12,7 @@ from gspot_verified.mechanisms.shipped import shipped_mechanism
 from gspot_verified.mechanisms.sweep.sweep import sweep
 from gspot_verified.mechanisms.sweep.sweep_piece import Kind
 from gspot_verified.mechanisms.sweep.sweep_result import Sweep
-from gspot_verified.report.pictures.sweep_picture import caption, fates_caption, save_sweep
+from gspot_verified.report.pictures.sweep_picture import caption, fates_caption, look, save_sweep
 
 BEGINNINGS = {".png": b"\x89PNG", ".pdf": b"%PDF", ".svg": b"<?xml"}
 
@@ -75,6 +75,16 @@ def test_the_caption_of_fates_has_the_condition_on_the_starts() -> None:
     assert found.sides.below is not None
     assert "for starts at rest in the contact" in str(found)
     assert "What follows the G-spot: for starts at rest in the contact, and epsilon below" in fates_caption(found)
+
+
+def test_the_caption_and_the_legend_of_a_contact_without_a_damper(line: Sweep) -> None:
+    """No side is named, of which G-spot is said."""
+    pieces = tuple(replace(each, lift_off_sign=None, impact_sign=None) for each in line.pieces)
+    undamped = replace(line, pieces=pieces, fixed=("X", "X_dot"))
+    assert ": Case of the continued G-spot with X, X_dot fixed. Certified: on each of the " in caption(undamped)
+    settled = next(each for each in pieces if each.kind is Kind.SETTLED and each.case == "II")
+    labels = [look(replace(settled, case=case))[1] for case in ("I", "II", "III")]
+    assert labels == [f"Case {case}, no side: no damper" for case in ("I", "II", "III")]
 
 
 def test_the_caption_says_whose_rule_the_side_is(line: Sweep) -> None:
