@@ -201,7 +201,7 @@ def check_lift_off(checker: Checker) -> str:
     require(system.compared(epsilon, level, meter) >= 0, "at this level the mean force exceeds the deviation")
     check_one_column(checker, system.beta)
     checker.on_each_column(lift_off_holds, system.beta, tau, (-1) ** math.floor(system.beta), level)
-    return f"{system.words()}, λ < 0 at τ = {tau} for every ε ≥ {epsilon}: contact is lost before"
+    return f"{system.words()}, λ < 0 at τ = {tau} for every ε ≥ {epsilon}"
 
 
 def check_slow_zeros(checker: Checker) -> str:

@@ -51,7 +51,7 @@ class ForceStatement(NoTruthValue, Written):
 
 @dataclass(frozen=True, slots=True)
 class LiftOffStatement(NoTruthValue, Written):
-    """On the slow manifold lambda < 0 at tau for every epsilon >= epsilon, so contact is lost before; |F| >= level."""
+    """On the slow manifold lambda < 0 at tau for every epsilon >= epsilon; |F| >= level."""
 
     version: ClassVar[int] = 2
     kind: ClassVar[Literal["lift_off"]] = "lift_off"

@@ -69,6 +69,12 @@ def test_lift_off_is_certified_just_beyond_the_leading_order_time(beta: str) -> 
         lift_off_certificate(force, time.upper - fmpq(1, 1000), fmpq(1, 1000))
 
 
+def test_of_earlier_times_nothing_is_stated() -> None:
+    """For an even floor(beta) lambda falls without bound to the left: there is no contact that could be lost."""
+    found = lift_off_certificate(contact_force("5/2", c1=1), fmpq(-10), fmpq(1))
+    assert check.main.check_text(found.text().encode()).endswith("κ^3 = 1/2, λ < 0 at τ = -10 for every ε ≥ 1")
+
+
 @pytest.mark.parametrize("charge", ["-1e400", "1e-400", "-1e-400"])
 def test_numbers_that_no_double_holds(charge: str) -> None:
     found = iwc_certificate(leading_order_iwc("5/2", c1=charge))
