@@ -25,6 +25,7 @@ _VERSIONS = {
     "classify": 2,
     "cost": 2,
     "events": 2,
+    "iwc": 2,
     "report": 2,
     "scenes": 2,
     "simulate": 3,

@@ -128,7 +128,16 @@ def test_iwc(capsys: pytest.CaptureFixture[str]) -> None:
     assert "every ε in (0, 0.630409760912546)" in out
     code, out, _ = run(capsys, "iwc", "--beta", "7/3", "--c1", "1", "--epsilon", "1/1000", "--json")
     assert code == 0
-    assert json.loads(out)["lift_off"]["zeros"] == 1
+    assert json.loads(out)["leading_order"]["lift_off"]["zeros"] == 1
+
+
+def test_the_verdict_of_iwc_is_one(capsys: pytest.CaptureFixture[str]) -> None:
+    """epsilon lies between the two thresholds: the leading order is refuted, the compliant model proved."""
+    code, out, _ = run(capsys, "iwc", "--beta", "7/3", "--eps", "0.65", "--json")
+    data = json.loads(out)
+    assert (code, data["verdict"]["outcome"], data["leading_order"]["verdict"]["outcome"]) == (0, "proved", "refuted")
+    assert data["verdict"] == data["slow_manifold"]["verdict"]
+    assert not {"epsilon_0", "largest_epsilon", "lift_off", "whole_line"} & {*data}
 
 
 def test_a_value_at_a_point_needs_numbers(capsys: pytest.CaptureFixture[str]) -> None:

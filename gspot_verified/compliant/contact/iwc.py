@@ -42,9 +42,7 @@ class CompliantIwc(NoTruthValue, Written):
     the compliant model on its slow manifold: ``slow`` where C_1/Gamma(-beta) > 0, ``lift_off`` on the other side.
     ``of_mechanism``: the alphas are those of a mechanism at its G-spot."""
 
-    written: ClassVar[str] = (
-        f"{under('leading', IwcResult.written)} slow_manifold=slow slow_lift_off=lift_off statements caveat"
-    )
+    written: ClassVar[str] = "verdict leading_order=leading slow_manifold=slow slow_lift_off=lift_off statements caveat"
 
     leading: IwcResult | IwcOverBalls
     slow: SlowManifold | None = None
