@@ -112,7 +112,7 @@ class ContactForce(NoTruthValue, Written):
         """The system, the side, and the formula of the force."""
         return [
             case_and_side(self.case, self.numbers, self.takes_impact),
-            f"  λ_N = {short_text(self.mean)} - (C1/α3) κ^(1-β) ε^({self.exponent}) dΘ/dτ, "
+            f"  at leading order λ_N = {short_text(self.mean)} - (C1/α3) κ^(1-β) ε^({self.exponent}) dΘ/dτ, "
             f"κ^3 = {short_text(-self.alpha_1 / 2)}, {SCALED_TIME}",
         ]
 

@@ -76,12 +76,13 @@ class IwcAnswer(NoTruthValue, Written):
             value = ball_text(self.minimum.value)
             lines.append(f"  least value of sign(C1) dΘ/dτ on [{self.start}, inf): {value} at τ {place}")
         if self.largest_epsilon is not None:
-            lines.append(f"  the largest ε0 possible: {ball_text(self.largest_epsilon)}")
+            lines.append(f"  the largest ε0 possible at leading order: {ball_text(self.largest_epsilon)}")
         if self.lift_off is not None:
             lines.append(f"  {self.lift_off}")
         lines += [f"  {row}" for row in self.growth]
         if self.whole_line and not self.every_epsilon and self.verdict.outcome is Outcome.PROVED:
-            lines.append(f"  it holds for every τ < {self.start} as well")
+            what = "it holds" if self.lift_off is None else "λ_N > 0"
+            lines.append(f"  {what} for every τ < {self.start} as well")
         return lines
 
 

@@ -49,10 +49,11 @@ class LiftOff(NoTruthValue, Written):
         return None if self.lower is None or self.upper is None else (self.lower, self.upper)
 
     def __str__(self) -> str:
+        where = f"ε = {short_text(self.epsilon)}, at leading order:"
         if self.lower is None or self.upper is None:
-            return f"ε = {short_text(self.epsilon)}: {self.verdict.outcome.value}"
+            return f"{where} {self.verdict.outcome.value}"
         ratio = "" if self.ratio is None else f", over ((β-1) ln(1/ε))^(2/3): {ball_text(self.ratio, 4)}"
-        return f"ε = {short_text(self.epsilon)}: lift-off in {decimal_text(self.lower, self.upper)}{ratio}"
+        return f"{where} lift-off in {decimal_text(self.lower, self.upper)}{ratio}"
 
 
 def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) -> LiftOff:
@@ -62,7 +63,7 @@ def lift_off(force: ContactForce, epsilon: fmpq, start: fmpq, digits: int = 15) 
 
     >>> from gspot_verified.leading_order.contact_force import contact_force
     >>> print(lift_off(contact_force("3/2", c1=-1), fmpq(1, 1000), fmpq(-10), 6))
-    ε = 0.001: lift-off in 3.590583..3.590584, over ((β-1) ln(1/ε))^(2/3): [1.571 +/- 4.26e-4]
+    ε = 0.001, at leading order: lift-off in 3.590583..3.590584, over ((β-1) ln(1/ε))^(2/3): [1.571 +/- 4.26e-4]
     """
     where = f"{force.system}, at ε = {short_text(epsilon)}"
     least = max(digits, _CRITICAL_DIGITS)

@@ -284,7 +284,7 @@ def test_texts_of_both_sides() -> None:
     assert "the side C1/Γ(-β) > 0, λ_N → +∞" in str(impact)
     assert "the side C1/Γ(-β) < 0, λ_N → -∞" in str(flight)
     assert impact.largest_epsilon is not None
-    assert f"the largest ε0 possible: {ball_text(impact.largest_epsilon, 15)}" in str(impact)
+    assert f"the largest ε0 possible at leading order: {ball_text(impact.largest_epsilon, 15)}" in str(impact)
     assert impact.minimum is not None
     assert f"at τ in {decimal_text(impact.minimum.lower, impact.minimum.upper)}" in str(impact)
     assert "at τ = -10\n" in str(leading_order_iwc("3/2"))
@@ -341,9 +341,12 @@ def test_the_text_line_by_line() -> None:
     lines = impact.lines()
     assert lines[0] == str(impact.verdict)
     assert lines[1] == "  Case III: β = 9/2, α1 = -1, α2 = -2, α3 = -4.5, C1 = -7/3: the side C1/Γ(-β) > 0, λ_N → +∞"
-    assert lines[2] == "  λ_N = 4/7 - (C1/α3) κ^(1-β) ε^(7/3) dΘ/dτ, κ^3 = 0.5, τ = κ t ε^(-2/3), p = α1 t"
+    assert (
+        lines[2]
+        == "  at leading order λ_N = 4/7 - (C1/α3) κ^(1-β) ε^(7/3) dΘ/dτ, κ^3 = 0.5, τ = κ t ε^(-2/3), p = α1 t"
+    )
     assert [line.split(":")[0].strip() for line in lines[3:5]] == [
-        "least value of sign(C1) dΘ/dτ on [-10, inf)", "the largest ε0 possible"
+        "least value of sign(C1) dΘ/dτ on [-10, inf)", "the largest ε0 possible at leading order"
     ]  # fmt: skip
     assert lines[5:] == ["  it holds for every τ < -10 as well"]
     assert str(impact).splitlines()[:-1] == lines
@@ -364,6 +367,9 @@ def test_the_text_line_by_line() -> None:
     flight = leading_order_iwc("7/3", c1=1, growth=True)
     assert len(flight.growth) == 4
     assert [line.strip() for line in flight.lines()[3:7]] == [str(row) for row in (flight.lift_off, *flight.growth[:3])]
+    assert "as well" not in str(flight)  # λ_N < 0 far to the left
+    left = leading_order_iwc("3/2", c1=-1)
+    assert left.lines()[-1] == "  λ_N > 0 for every τ < -10 as well"
 
 
 def test_each_field_of_the_json() -> None:

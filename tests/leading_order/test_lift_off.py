@@ -74,7 +74,7 @@ def test_growth() -> None:
     distances = [abs(ratio - 1).mid() for ratio in ratios if ratio is not None]
     assert distances == sorted(distances, reverse=True)
     assert distances[-1] < fmpq(1, 500)
-    assert "ε = 1e-10000: lift-off in" in str(result)
+    assert "ε = 1e-10000, at leading order: lift-off in" in str(result)
 
 
 def test_without_an_answer_from_the_balls_it_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -209,5 +209,5 @@ def test_what_a_bracket_says_of_itself() -> None:
     assert ", over ((β-1) ln(1/ε))^(2/3): [1.571" in str(found)
     without = replace(found, ratio=None, lower=None, upper=None)
     assert (without.to_json()["bracket"], without.to_json()["ratio"]) == (None, None)
-    assert str(without) == "ε = 0.001: proved"
+    assert str(without) == "ε = 0.001, at leading order: proved"
     assert "over" not in str(replace(found, ratio=None))

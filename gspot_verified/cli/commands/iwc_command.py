@@ -40,7 +40,9 @@ def iwc(
         str | None, typer.Option("--epsilon", "--eps", help="ε at which the lift-off time is bracketed, or λ_N > 0.")
     ] = None,
     digits: Annotated[int, typer.Option(help="Decimal digits of the answer, 1..100.")] = 15,
-    growth: Annotated[bool, typer.Option("--growth", help="Lift-off side: τ_LO for ε = 1e-10 to 1e-10000.")] = False,
+    growth: Annotated[
+        bool, typer.Option("--growth", help="Lift-off side, at leading order: τ_LO for ε = 1e-10 to 1e-10000.")
+    ] = False,
     certificate: Annotated[Path | None, typer.Option(help="Write a certificate, 1 < β < 5, for a range of ε.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
