@@ -12,7 +12,7 @@ from flint import fmpq
 
 from gspot_verified.leading_order.contact_force import rational
 from gspot_verified.mechanisms.approach.approach import approach
-from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach
+from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, SLIP_STOPS, Approach
 from gspot_verified.mechanisms.approach.slip_state import StateInput
 from gspot_verified.mechanisms.input.mechanism import Mechanism
 from gspot_verified.numbers.balls import ExactInput, approximate, ball_text, exact
@@ -122,8 +122,8 @@ _EARLY = 0.95  # of the certified time: an event before it is not the one that i
 _LATE = 1.05  # the same for events of rigid slip, which come at their time, not after it
 _LASTING = 0.03  # of the certified time: so long a contact is lost; rows further apart do not show what comes when
 _SAME = 1e-3  # of the certified time, and of 1 + |value|: nearer to the certified start a table begins in it
-_EXPECTED = {LIFT_OFF: (LEAVES,), IMPACT: (STOPS, IMPULSE), "stick": (STOPS,)}
-RIGHT, EARLY, WRONG, SILENT, SHORT = "agrees", "too early", "differs", "no event", "ends early"
+_EXPECTED = {LIFT_OFF: (LEAVES,), IMPACT: (STOPS, IMPULSE), SLIP_STOPS: (STOPS,)}
+RIGHT, EARLY, LATE, WRONG, SILENT, SHORT = "agrees", "too early", "too late", "differs", "no event", "ends early"
 OPEN, FAILED = "not comparable", "failed"
 
 
@@ -132,8 +132,8 @@ class SimulatorRun(NoTruthValue, Written):
     """What happens first in one run, at which time and slip velocity, and how that agrees with what is certified.
 
     ``agrees``: "agrees", "differs", "too early" (before the certified event, where rigid slip is certified to keep the
-    contact), "no event", "ends early" (nothing, and it ends before three times the certified time, or in what may be a
-    flight), "not comparable" (no side is certified, or the rows about it lie too far apart), "failed" (``happened``
+    contact), "too late" (that of rigid slip, after its time), "no event", "ends early" (nothing, and it ends before three times the certified time, or in what may be a
+    flight), "not comparable" (no side is known, or the rows about it lie too far apart), "failed" (``happened``
     says why).
     """
 
@@ -208,7 +208,7 @@ def simulators(
     are CSV tables of other simulators: a column t, one for each component of the state, and force where it is known.
     All start in the state that is certified.
 
-    At a G-spot the certified side is the paper's statement as epsilon -> 0; a simulator with a contact of another
+    At a G-spot the side is the paper's statement as epsilon -> 0, certified at no epsilon; a simulator with a contact of another
     kind need not obey it. No rigid contact leaves the surface before, for there rigid slip is certified to last.
 
     :raises StateError: the state is not one from which slip can be followed.
@@ -344,5 +344,6 @@ class _Judge:
         expected = _EXPECTED.get(self.certified.side or self.certified.end or "")
         if expected is None or found.time - found.since > _LASTING * self.time:
             return OPEN
-        late = self.certified.end != "G-spot" and found.time > _LATE * self.time
-        return RIGHT if found.what in expected and not late else WRONG
+        if found.what not in expected:
+            return WRONG
+        return LATE if self.certified.end != "G-spot" and found.time > _LATE * self.time else RIGHT

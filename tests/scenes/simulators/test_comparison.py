@@ -14,7 +14,7 @@ import pytest
 from flint import arb
 
 from gspot_verified.mechanisms.approach.approach import approach
-from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, Approach
+from gspot_verified.mechanisms.approach.approach_result import IMPACT, LIFT_OFF, SLIP_STOPS, Approach
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
 from gspot_verified.mechanisms.load import load
 from gspot_verified.numbers.balls import ball_text
@@ -139,11 +139,11 @@ def judge(end: str = "G-spot", side: str | None = None, time: float | None = 2.0
         ("G-spot", IMPACT, IMPULSE, 5.9, "agrees"),
         ("G-spot", IMPACT, LEAVES, 2.0, "differs"),
         ("G-spot", None, LEAVES, 2.0, "not comparable"),
-        ("stick", None, STOPS, 2.1, "agrees"),
-        ("stick", None, STOPS, 2.11, "differs"),
-        ("stick", None, LEAVES, 2.0, "differs"),
+        (SLIP_STOPS, None, STOPS, 2.1, "agrees"),
+        (SLIP_STOPS, None, STOPS, 2.11, "too late"),
+        (SLIP_STOPS, None, LEAVES, 2.0, "differs"),
         (LIFT_OFF, None, LEAVES, 2.1, "agrees"),
-        (LIFT_OFF, None, LEAVES, 2.11, "differs"),
+        (LIFT_OFF, None, LEAVES, 2.11, "too late"),
     ],
 )
 def test_what_agrees(end: str, side: str | None, what: str, time: float | None, agrees: str) -> None:
@@ -152,12 +152,12 @@ def test_what_agrees(end: str, side: str | None, what: str, time: float | None, 
 
 def test_a_table_that_ends_early_has_not_shown_that_nothing_comes() -> None:
     """The runs of the package go on for three times the certified time, 6 here."""
-    for end in ("G-spot", "stick", LIFT_OFF):
+    for end in ("G-spot", SLIP_STOPS, LIFT_OFF):
         found = judge(end)
         assert found._agrees(Happened(NOTHING, None, None, 5.95)) == "no event"
         assert found._agrees(Happened(NOTHING, None, None, 5.93)) == "ends early"
         assert found._agrees(Happened(NOTHING, None, None, 1.0)) == "ends early"
-    assert judge("stick")._agrees(Happened(STOPS, 2.0, 0.0, 1.99)) == "agrees"
+    assert judge(SLIP_STOPS)._agrees(Happened(STOPS, 2.0, 0.0, 1.99)) == "agrees"
 
 
 def test_what_happens_between_two_distant_rows_is_not_compared() -> None:
