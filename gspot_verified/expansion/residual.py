@@ -75,11 +75,20 @@ class ResidualBounds(NoTruthValue, Written):
     def __str__(self) -> str:
         box = f"|s| <= {_largest(self.s)}, 0 <= delta <= {_largest(self.delta)}"
         lines = [f"{self.name}: |residual| <= K delta^{self.order} for {box}, K ="]
-        lines += [f"  {self._equation(key)}: {ball_text(value, 6)}" for key, value in self.constants.items()]
+        lines += [f"  {self._equation(key)}: {_bound(value)}" for key, value in self.constants.items()]
         return "\n".join([*lines, f"  {ONLY_RESIDUAL}"])
+
+    @property
+    def complete(self) -> bool:
+        """Whether each equation and each condition has a bound."""
+        return all(value.is_finite() for value in self.constants.values())
 
     def _equation(self, key: str) -> str:
         return f"equation of {self.state[int(key[3:]) - 1]}" if self.state and key.startswith("xi_") else key
+
+
+def _bound(value: arb) -> str:
+    return ball_text(value, 6) if value.is_finite() else "no bound"
 
 
 def residual_bounds(trajectory: Trajectory, s: ExactInput, delta: ExactInput, extra: int = _EXTRA) -> ResidualBounds:

@@ -74,13 +74,15 @@ def side_of_a_mechanism(k: int) -> HardCase:
 
     return HardCase(
         level=k,
-        asked=f"which sign of C₁ lifts off in the oscillator, β = 2 + 10^−{k}",
+        asked=f"which sign of C₁ lifts off, by the paper's rule as ε → 0, in the oscillator, β = 2 + 10^−{k}",
         condition=log10(2 * fmpq(10) ** k),
         lost=bits_lost(distance, 1),
         double=double,
         double_said=f"α₃/α₁ = {double_text(ratio)}",
         certified=sign,
-        text=f"C₁ {'>' if sign == 1 else '<'} 0, Case {classification.case}" if sign else "undecided",
+        text=f"C₁ {'>' if sign == 1 else '<'} 0, the sign of −Γ(−β), Case {classification.case}"
+        if sign
+        else "undecided",
         work=int((alpha_3 / alpha_1).q).bit_length(),
         seconds=seconds,
     )

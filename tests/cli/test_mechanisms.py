@@ -53,6 +53,12 @@ def test_expand_in_latex_at_a_point_and_with_a_bound(capsys: pytest.CaptureFixtu
     assert json.loads(out)["residual"]["contact"]["y"] == "0"
 
 
+def test_an_equation_without_a_bound_is_undecided(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "expand", "rod", "--order", "4", "--residual", "1,100")
+    assert code == 2
+    assert "\n  p: no bound\n" in out
+
+
 def test_the_picture_of_the_truncation_error(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     picture = tmp_path / "truncation.png"
     assert run(capsys, "expand", "extended", "--order", "12", "--picture", str(picture))[0] == 0

@@ -148,7 +148,9 @@ def test_a_power_whose_base_may_vanish_in_the_box_has_no_bound() -> None:
     found = residual_bounds(trajectory, 100, 1)
     assert not found.constants["xi_4"].is_finite()
     assert found.to_json()["state"]["xi_4"] is None
-    assert "[no information]" in str(found)
+    assert ": no bound\n" in str(found)
+    assert residual_bounds(trajectory, 1, "1/10").complete
+    assert not found.complete
 
 
 def changed(of: Trajectory, name: str, n: int, element: SpacePolynomial) -> Trajectory:

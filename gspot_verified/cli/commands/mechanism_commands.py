@@ -178,7 +178,8 @@ def expand(
     """The distinguished trajectory of Theorem 1, expanded. With exact coefficients.
 
     Coefficients are balls of the asked digits where the G-spot is not rational, and with --bits. Exit code 2 when
-    digits are not reached, and when --uniform or --side is undecided.
+    digits are not reached, when --uniform or --side is undecided, and when --residual leaves an equation without a
+    bound.
     """
     from gspot_verified.expansion.trajectory import AccuracyWarning
     from gspot_verified.mechanisms.expand import expand as expand_mechanism
@@ -202,21 +203,21 @@ def expand(
     if at is not None:
         values, text = _values_at(trajectory, at, in_time, digits)
         data |= {"at": values}
+    proved = True
     if residual is not None:
         from gspot_verified.expansion.residual import residual_bounds
 
         reach, small = _numbers(residual, "--residual", "1,1/10")
         bounds = residual_bounds(trajectory, reach, small)
         data |= {"residual": bounds.to_json()}
-        text = f"{text}\n{bounds}"
-    proved = True
+        text, proved = f"{text}\n{bounds}", bounds.complete
     if uniform is not None:
         from gspot_verified.expansion.true_solutions.bound import uniform_bound
         from gspot_verified.numbers.verdict import Outcome
 
         distance = uniform_bound(trajectory, *_numbers(uniform, "--uniform", "-3,2,1/20"))
         data |= {"uniform": distance.to_json()}
-        text, proved = f"{text}\n{distance}", distance.verdict.outcome is Outcome.PROVED
+        text, proved = f"{text}\n{distance}", proved and distance.verdict.outcome is Outcome.PROVED
     if side is not None:
         from gspot_verified.expansion.true_solutions.side import uniform_side
 

@@ -65,6 +65,7 @@ def _draw(beta: fmpq, epsilons: Sequence[fmpq]) -> Picture:
         "b-hat",
         f"b̂(t) on the slow manifold against Θ(τ, {beta})",
         f"Certified: enclosures of b̂, from the exact solution of the compliant model, and of Θ at {len(_POINTS)} "
-        "points τ = −4, …, 3 for each ε. Only drawn: the lines between them. As ε → 0 the curves tend to Θ.",
+        "points τ = −4, …, 3 for each ε (α₁ = −1, else ε|α₁|). Only drawn: the lines between them. That the curves "
+        "tend to Θ as ε → 0 is a theorem (proofs/epsilon_series.md), not shown by the points.",
         "Curves that lie on one another on the left and part on the right; for small epsilon they are next to Theta.",
     )

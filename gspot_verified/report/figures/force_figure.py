@@ -181,10 +181,11 @@ def force_picture() -> Picture:
     return picture(
         figure,
         "force",
-        "The contact force on the slow manifold, β = 5/2, at finite ε",
+        "The deviation of the force on the slow manifold, β = 5/2, C₁/Γ(−β) > 0, at finite ε",
         f"Certified: enclosures at {len(points)} points τ = −3, …, 2 for each ε; at {above} of {number} of them the "
-        "value lies above leading order, as Theorem C says for every τ and ε (proofs/monotone.md). The shaded band is "
-        "the range that its two sides leave. Only drawn: the lines between the points.",
+        "value, in units in which leading order is Θ, lies above it, as Theorem C says for every τ and ε on this side "
+        "(proofs/monotone.md; α₁ = −1, else ε|α₁| in the place of ε). The shaded band is the range that its two sides "
+        "leave. Only drawn: the lines between the points.",
         "Curves with one minimum each, higher for larger epsilon; below, a small positive excess inside a band.",
     )
 

@@ -52,7 +52,8 @@ def _draw(points: Sequence[SidePoint]) -> Picture:
     differ = sum(_differs(point) for point in points)
     unsettled = sum(None in (point.exact, point.slow) for point in points)
     caption = (
-        f"Certified: the sign of K for p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p, b-hat > 0 at "
+        f"Certified: the sign of K for α₁ = −1 (else ε|α₁| in the place of ε), p = 1/2, v = 0, y = 2ε²b/p, z = ε²b/p, "
+        f"b-hat > 0 at "
         f"{counted(len(points), 'point')} ({unsettled} open): orange K > 0, blue K < 0. Crosses: the sign of C/Γ(−β), "
         f"the paper's rule, is the other one ({counted(differ, 'point')}). Between the points nothing is claimed."
     )

@@ -35,7 +35,7 @@ def _draw(force: ContactForce, epsilon: fmpq) -> Picture:
         label = f"C₁ = {str(side.c1).replace('-', '−')}: λ_N → {'+' if side.takes_impact else '−'}∞"
         axes.plot(at, [(low + high) / 2 for low, high in bounds], color=colour, linestyle=style, label=label)
     axes.axhline(0, color=INK, linewidth=0.9)
-    mean = float(ball(force.mean).mid())
+    mean = float(ball(force.mean if isinstance(force, ContactForce) else force.mean()).mid())
     axes.axhline(mean, color=INK, linewidth=0.9, linestyle=":", label="mean force")
     axes.set(xlabel=r"$\tau = \kappa\,t\,\varepsilon^{-2/3}$", ylabel=f"force {LAMBDA_N}", xlim=(at[0], at[-1]))
     axes.set_title(f"β = {force.beta}, ε = {epsilon}, at leading order", loc="left")

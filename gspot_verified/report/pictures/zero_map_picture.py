@@ -105,7 +105,7 @@ def _draw(result: ZeroMap) -> Picture:
     return picture(
         figure,
         "zeros-at-finite-epsilon",
-        "Real zeros of the force on the slow manifold of the compliant model",
+        "Real zeros of λ − λ̄, the deviation of the force on the slow manifold of the compliant model",
         caption,
         "The plane of β and ε in colours for the number of zeros; fold curves leave β = 6 and 9 at ε = 0 to the left.",
     )

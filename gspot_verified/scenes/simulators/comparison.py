@@ -132,9 +132,9 @@ class SimulatorRun(NoTruthValue, Written):
     """What happens first in one run, at which time and slip velocity, and how that agrees with what is certified.
 
     ``agrees``: "agrees", "differs", "too early" (before the certified event, where rigid slip is certified to keep the
-    contact), "too late" (that of rigid slip, after its time), "no event", "ends early" (nothing, and it ends before three times the certified time, or in what may be a
-    flight), "not comparable" (no side is known, or the rows about it lie too far apart), "failed" (``happened``
-    says why).
+    contact), "too late" (that of rigid slip, after its time), "no event", "ends early" (nothing, and it ends before
+    three times the certified time, or in what may be a flight), "not comparable" (no side is known, or the rows about
+    it lie too far apart), "failed" (``happened`` says why).
     """
 
     ask: ClassVar[str] = ".agrees is a text"
@@ -208,8 +208,9 @@ def simulators(
     are CSV tables of other simulators: a column t, one for each component of the state, and force where it is known.
     All start in the state that is certified.
 
-    At a G-spot the side is the paper's statement as epsilon -> 0, certified at no epsilon; a simulator with a contact of another
-    kind need not obey it. No rigid contact leaves the surface before, for there rigid slip is certified to last.
+    At a G-spot the side is the paper's statement as epsilon -> 0, certified at no epsilon; a simulator with a contact
+    of another kind need not obey it. No rigid contact leaves the surface before, for there rigid slip is certified to
+    last.
 
     :raises StateError: the state is not one from which slip can be followed.
     :raises MechanismError: a mechanism without velocities or with parameters that have no value.

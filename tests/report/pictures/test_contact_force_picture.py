@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from flint import arb
 
+from gspot_verified import iwc, plot
 from gspot_verified.leading_order.contact_force import contact_force
 from gspot_verified.leading_order.iwc import leading_order_iwc
 from gspot_verified.numbers.verdict import Outcome
@@ -24,6 +26,12 @@ def test_a_side_whose_contact_is_lost_is_not_said_to_take_an_impact(monkeypatch:
     monkeypatch.setattr(Axes, "plot", noted)
     contact_force_picture(contact_force("3/2", c1=1), 1)
     assert labels == ["C₁ = 1: λ_N → +∞", "C₁ = −1: λ_N → −∞"]
+
+
+def test_a_system_of_balls_has_a_picture() -> None:
+    """Its mean is a method, that of one system a number."""
+    found = iwc(alpha_1=-1, alpha_2=-1, alpha_3=arb("-2.5", "1e-3"))
+    assert "λ_N(τ) at leading order" in str(plot(found))
 
 
 def test_the_data_say_where_the_force_tends() -> None:
