@@ -42,7 +42,7 @@ _DIGITS, _BITS = 13, 60  # of the state from which lasting contact is shown
 class CertifiedSide(NoTruthValue):
     """``side``: whether contact is lost or lasts for ever, None where that is undecided; ``rule``: K and its parts.
 
-    ``asymptotic``: what the paper's rule says, the sign of C_1/Gamma(-beta); None where that sign is open.
+    ``asymptotic``: what the paper's rule says; None where it does not apply or is open.
     """
 
     ask: ClassVar[str] = ".side is a text or None, .verdict a Verdict"
@@ -54,9 +54,8 @@ class CertifiedSide(NoTruthValue):
     @property
     def asymptotic(self) -> str | None:
         """The side by the paper's rule."""
-        part = self.rule.slow_side
-        sign = None if part is None else sign_of(part)
-        return {1: LASTS, -1: LOST}.get(sign) if sign else None
+        sign = self.rule.paper_side
+        return None if sign is None else LASTS if sign > 0 else LOST
 
     @property
     def rule_fails(self) -> bool | None:

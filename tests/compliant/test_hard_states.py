@@ -36,7 +36,7 @@ def test_a_state_exactly_on_the_slow_manifold_is_undecided() -> None:
     found = side_rule(model, state, digits=5)
     assert found.verdict.outcome is Outcome.UNDECIDED
     assert "canard" in str(found.verdict)
-    assert found.paper_differs is None
+    assert found.paper_differs is None  # the rule has no side at an integer beta
 
 
 @pytest.mark.parametrize("beta", [fmpq(5, 2), fmpq(13, 2)])

@@ -17,7 +17,6 @@ from gspot_verified.compliant.model.normal_form import CompliantModel, Compliant
 from gspot_verified.compliant.side.side_later import side_of_deviation
 from gspot_verified.compliant.slow.slow_coefficient import slow_coefficient
 from gspot_verified.numbers.balls import add_remainder, approximate, ball_text, bits_for_digits, sign_of, working_bits
-from gspot_verified.numbers.dyadic import Dyadic
 from gspot_verified.numbers.evidence import less
 from gspot_verified.numbers.verdict import NoTruthValue, Reason, Verdict
 from gspot_verified.numbers.written import Written
@@ -36,6 +35,7 @@ class SideRule(NoTruthValue, Written):
 
     ``slow`` = C, ``fast`` = c_+ (or a ball around 0 where it cannot matter), ``side`` = K; ``verdict``: its sign. For
     p <= 0 K comes by its own integral: ``slow`` and ``fast`` are None, the paper's rule is about the way to the G-spot.
+    ``in_case_iii``: beta > 1 is no integer and alpha_2 < 0, as the paper's rule asks.
     K < 0: contact is lost, certainly. K > 0: necessary for an impact without collision, not sufficient.
     """
 
@@ -46,6 +46,7 @@ class SideRule(NoTruthValue, Written):
     fast: acb | None
     side: arb
     verdict: Verdict
+    in_case_iii: bool
 
     @property
     def slow_side(self) -> arb | None:
@@ -61,32 +62,28 @@ class SideRule(NoTruthValue, Written):
         return None if self.fast is None else 2 * self.fast.real
 
     @property
-    def paper_differs(self) -> bool | None:
-        """Whether the paper's rule, the sign of C_1/Gamma(-beta), gives the other side; None when a sign is open."""
+    def paper_side(self) -> int | None:
+        """The paper's rule, the sign of C_1/Gamma(-beta) in Case III; None where it does not apply or is open."""
         part = self.slow_side
-        if part is None:
-            return None
-        exact, slow = sign_of(self.side), sign_of(part)
-        return exact != slow if exact and slow else None
+        return (sign_of(part) or None) if part is not None and self.in_case_iii else None
+
+    @property
+    def paper_differs(self) -> bool | None:
+        """Whether the paper's rule gives the other side; None where it does not apply or a sign is open."""
+        exact, papers = sign_of(self.side), self.paper_side
+        return exact != papers if exact and papers else None
 
     def __str__(self) -> str:
         if self.slow_side is None or self.fast_side is None:
             about = "p <= 0: the paper's rule, which is about the way to the G-spot, does not apply"
             return "\n".join((str(self.verdict), f"  K = {ball_text(self.side)}", f"  {about}"))
-        rule = {True: "the paper's rule gives the other side", False: "the paper's rule gives the same side"}
-        lines = [
-            str(self.verdict),
-            f"  K = {ball_text(self.side)}, of it C/Γ(-β) = {ball_text(self.slow_side)}, "
-            f"2 Re c+ = {ball_text(self.fast_side)}",
-            f"  {rule.get(self.paper_differs, 'whether the paper has the same side is open')}"
-            if self.paper_differs is not None
-            else "  whether the paper's rule gives the same side is open",
-        ]
-        return "\n".join(lines)
-
-
-def _interval(value: arb | None) -> str | None:
-    return None if value is None or not value.is_finite() else str(Dyadic.from_ball(value))
+        rule = "the paper's rule gives the other side" if self.paper_differs else "the paper's rule gives the same side"
+        if self.paper_differs is None:
+            rule = "whether the paper's rule gives the same side is open"
+        if not self.in_case_iii:
+            rule = "the paper's rule, of Case III (β > 1, no integer, α2 < 0), does not apply"
+        parts = f"C/Γ(-β) = {ball_text(self.slow_side)}, 2 Re c+ = {ball_text(self.fast_side)}"
+        return "\n".join((str(self.verdict), f"  K = {ball_text(self.side)}, of it {parts}", f"  {rule}"))
 
 
 def side_rule(model: CompliantModel, state: CompliantState, digits: int = 15) -> SideRule:
@@ -117,7 +114,8 @@ def side_rule(model: CompliantModel, state: CompliantState, digits: int = 15) ->
             side = side * size
         if sign_of(side) is not None:  # 0 too: more bits would not say more
             break
-    return SideRule(hats, slow, fast, side, _verdict(side))
+    in_case_iii = model.beta > 1 and model.beta.q != 1 and model.alpha_2 < 0
+    return SideRule(hats, slow, fast, side, _verdict(side), in_case_iii)
 
 
 def _size(state: Deviation) -> fmpq:

@@ -131,7 +131,7 @@ def test_k_by_its_own_contour(state: Deviation) -> None:
     ("beta", "nu", "epsilon", "sign", "differs"),
     [
         # Figure varsim1: the side of each run (nu = 1 is the trivial solution when beta > 1).
-        *[("1/2", nu, "1/1000", 1, False) for nu in ("1/4", "1/2", "1", "2", "4")],
+        *[("1/2", nu, "1/1000", 1, None) for nu in ("1/4", "1/2", "1", "2", "4")],
         *[("3/2", nu, "1/1000", 1, False) for nu in ("1/4", "1/2")],
         *[("3/2", nu, "1/1000", -1, False) for nu in ("2", "4")],
         *[("5/2", nu, "1/1000", -1, False) for nu in ("1/4", "1/2")],
@@ -144,12 +144,28 @@ def test_k_by_its_own_contour(state: Deviation) -> None:
         ("15/2", "2", "1e-300", -1, False),
     ],
 )
-def test_sides_of_the_paper_s_runs(beta: str, nu: str, epsilon: str, sign: int, differs: bool) -> None:
+def test_sides_of_the_paper_s_runs(beta: str, nu: str, epsilon: str, sign: int, differs: bool | None) -> None:
     numerator, _, denominator = nu.partition("/")
     found = side_rule(*paper_state(beta, epsilon, fmpq(int(numerator), int(denominator or 1))))
     assert found.verdict.outcome is Outcome.PROVED
     assert (found.side > 0) is (sign > 0)
     assert found.paper_differs is differs
+
+
+@pytest.mark.parametrize(
+    ("beta", "alpha_2", "values"),
+    [
+        ("1/2", 1, ("1/2", "-1/2", "-2e-6", 0, "-1e-6")),  # Case II, C_1 > 0: does not occur in the paper
+        ("1/2", -1, ("1/2", "1/2", "-2e-6", 0, "-1e-6")),
+        ("5/2", 1, ("1/2", -1, "-2e-6", 0, "-1e-6")),  # no Case
+        ("5/2", 0, ("1/2", -1, "-2e-6", 0, "-1e-6")),
+        ("2", -1, ("1/2", -1, "-2e-6", 0, "-1e-6")),  # C/Gamma(-beta) = 0
+    ],
+)
+def test_outside_case_iii_the_paper_has_no_rule(beta: str, alpha_2: int, values: tuple[str | int, ...]) -> None:
+    found = side_rule(compliant_model(beta, alpha_2=alpha_2), compliant_state(*values))
+    assert (found.verdict.outcome, found.paper_side, found.paper_differs) == (Outcome.PROVED, None, None)
+    assert str(found).endswith("  the paper's rule, of Case III (β > 1, no integer, α2 < 0), does not apply")
 
 
 def test_the_trivial_solution_is_the_canard() -> None:
@@ -212,8 +228,11 @@ def test_the_text_says_whose_side_it_is() -> None:
     with working_bits(80):
         slow, sign = arb(1), reciprocal_gamma(-state.beta, 80)
         around = acb(0)
-        same, other = SideRule(state, slow, around, sign, _VERDICT), SideRule(state, slow, around, -sign, _VERDICT)
-        unsure = SideRule(state, slow, around, arb(0, 1), _VERDICT)
+        same, other = (
+            SideRule(state, slow, around, sign, _VERDICT, True),
+            SideRule(state, slow, around, -sign, _VERDICT, True),
+        )
+        unsure = SideRule(state, slow, around, arb(0, 1), _VERDICT, True)
     assert "the paper's rule gives the same side" in str(same)
     assert "the paper's rule gives the other side" in str(other)
     assert "whether the paper's rule gives the same side is open" in str(unsure)
