@@ -157,4 +157,5 @@ def _verdict(side: arb) -> Verdict:
     if (positive := less(0, side)) is not None:
         return Verdict.proved("K > 0: contact may last; necessary for an impact without collision", positive)
     reason = Reason.BEYOND if sign_of(side) == 0 else Reason.BUDGET
-    return Verdict.undecided("the sign of K", reason, f"K = {ball_text(side)}: K = 0 is the canard")
+    about = "no side follows from K = 0, as on the canard and, at an integer β, on the whole slow manifold"
+    return Verdict.undecided("the sign of K", reason, f"K = {ball_text(side)}; {about}")
