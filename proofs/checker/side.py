@@ -57,7 +57,7 @@ class Statement:
 
     def words(self, start: passage.Start, first: Fraction) -> str:
         """The statement, where the first cone begins at s = ``first``."""
-        end = "then it vanishes: contact is lost"
+        end = "and it vanishes later: contact is lost"
         if self.reaches:
             end = f"and on until it exceeds {self.reaches}, where p < 0"
         place = f"{start.words_of_starts(self.epsilon)}: λ > 0 until p = {-start.a * first} ε^(2/3)"

@@ -75,15 +75,15 @@ def test_the_shipped_certificate_is_verified_whole() -> None:
         "the model system with α = (-1, -1, -3/2) and (k_1 ε², k_2 ε², c ε) = (1, 1, 1): for every ε in "
         "(0, 64/185193] and every start in contact at p = 1/2, b = -2 with |λ + b/p| ≤ η|L|, √κ|v|/ε ≤ η√p|L|, "
         "(g/√l)|φ| ≤ η√p|L|, η = 1/100, L = -b/p - 2, φ = λ + κy/ε² + (l/g)v/ε, κ = 1/2, g = 2, l = 1/2, as long "
-        "as slip is positive: λ > 0 until p = -172/101 ε^(2/3), then it vanishes: contact is lost, at the latest at "
-        f"the time {LINES[0]['statement']['by']} after p = 0"
+        "as slip is positive: λ > 0 until p = -172/101 ε^(2/3), and it vanishes later: contact is lost, at the latest "
+        f"at the time {LINES[0]['statement']['by']} after p = 0"
     )
 
 
 def test_its_first_ranges_say_what_they_prove() -> None:
     text = said(more=1)
     assert f"for every ε in (0, {Fraction(LINES[2]['delta']) ** 3}]" in text
-    assert "then it vanishes: contact is lost" in text
+    assert " ε^(2/3), and it vanishes later: contact is lost" in text
 
 
 def test_an_impact_says_no_more_than_it_proves() -> None:
