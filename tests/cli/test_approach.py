@@ -31,6 +31,11 @@ def test_slip_that_stops_and_undecided(capsys: pytest.CaptureFixture[str]) -> No
     assert stops in capsys.readouterr().out
     assert main(["approach", "model", "--from", "x=0,u=5,p=1/2,b=-1"]) == 2
     assert "too close to the distinguished trajectory" in capsys.readouterr().out
+    no_case = ["--from", "x=0,u=3,p=1/2,b=-1/10", "--set", "alpha_3=-1/2", "--set", "alpha_2=0"]
+    assert main(["approach", "model", *no_case]) == 2
+    assert "C1 = [-0.1414" in capsys.readouterr().out
+    assert main(["approach", "--help"]) == 0
+    assert "at a G-spot, the side is known" in " ".join(capsys.readouterr().out.split())
 
 
 @pytest.mark.parametrize(

@@ -68,7 +68,7 @@ def approach(
 ) -> None:
     """Where slip from a state leads: a G-spot, lift-off, or slip stops. At a G-spot: C1 in balls, lift-off or impact.
 
-    Exit code 0 when that is proved (and C1 has a certain sign), 2 when something is undecided.
+    Exit code 0 when that is proved and, at a G-spot, the side is known; else 2.
 
     With --table slip is followed for each row of values, with those of --from in all rows, and the answers are the
     lines of a CSV file; a row that is refused or undecided says why, and then the exit code is 2. There is no journal:

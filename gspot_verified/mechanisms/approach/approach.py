@@ -450,6 +450,7 @@ class _Attempt:
         alphas: tuple[arb, arb, arb] | None, beta: arb | None, coefficient: arb | None, side: str | None, why: str,
     ) -> Approach:  # fmt: skip
         path = self._path()
+        fast = end == "G-spot" and self.goal is None and self.mechanism.regularisation.c > 0
         return Approach(
             name=self.mechanism.name,
             start=self._texts(list(self.start.box)),
@@ -471,7 +472,7 @@ class _Attempt:
             path=path,
             bits=self.bits,
             supposed=self.start.supposed,
-            fast_exponent=self._fast_exponent(path) if end == "G-spot" and self.goal is None else None,
+            fast_exponent=self._fast_exponent(path) if fast else None,
             spot=tuple(place) if end == "G-spot" else (),
             other_names=self.programs.other_names,
         )

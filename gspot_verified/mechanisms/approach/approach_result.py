@@ -21,9 +21,8 @@ EVENTS = {
     LIFT_OFF: "lift-off before any G-spot: the contact force -b/p falls to 0 while p > 0",
     SLIP_STOPS: f"{STOPS_BEFORE}: u falls to the surface's velocity while p > 0",
 }
-RESTS_ON = (
-    "reaching the G-spot and C1 are proved for rigid slip; the side is the paper's statement at leading order as "
-    "epsilon -> 0 (Sec. 4.5), not a theorem at a finite epsilon"
+_SIDE_RESTS_ON = (
+    "; the side is the paper's statement at leading order as epsilon -> 0 (Sec. 4.5), not a theorem at a finite epsilon"
 )
 
 
@@ -60,7 +59,7 @@ class Approach(NoTruthValue, Written):
     says why. ``least_slip`` bounds u on the path from below; ``notes`` say how the mechanism was read. ``supposed``
     names what is 0 on the contact and was not shown to be exactly 0 in the state that was given: the statement is then
     about the state on the contact. ``fast_exponent``: E, where about e^(-E/epsilon) of the contact's fast oscillation
-    at the start is left at the G-spot; a float, no bound.
+    at the start is left at the G-spot; a float, no bound; None where the contact has no damper.
     ``spot`` encloses the G-spot as numbers, angles counted from their references; empty where there is none.
     ``surface`` is the velocity of the surface, 0 where none was given; None where nothing is asked of u. What was
     proved holds for each velocity in a ball; ``surface_velocity`` is then an interval in it. ``other_names``: of the
@@ -110,8 +109,11 @@ class Approach(NoTruthValue, Written):
 
     @property
     def rests_on(self) -> str:
-        """What the result supposes."""
-        return RESTS_ON if self.end == "G-spot" else "proved for rigid slip"
+        """What the result supposes; empty where nothing is known."""
+        if self.end != "G-spot":
+            return "proved for rigid slip" if self.end else ""
+        proved = "reaching the G-spot is" if self.coefficient is None else "reaching the G-spot and C1 are"
+        return f"{proved} proved for rigid slip{_SIDE_RESTS_ON if self.side else ''}"
 
     @property
     def exit_code(self) -> int:
@@ -144,11 +146,12 @@ class Approach(NoTruthValue, Written):
             )
         if self.end == "G-spot":
             lines.append(f"  side: {self.side or 'undecided'} ({self.side_reason})")
-            lines.append(f"  {RESTS_ON}")
+            lines.append(f"  {self.rests_on}")
         if self.fast_exponent is not None:
             lines.append(
                 f"  beside slip: about e^(-{self.fast_exponent:.4g}/epsilon) of a fast oscillation at the start is "
-                "left at the G-spot, which may turn the side where this is not small (floats: not proved)"
+                f"left at the G-spot{', which may turn the side where this is not small' if self.side else ''} "
+                "(floats: not proved)"
             )
         lines += [f"  {line}" for line in (*self.notes, *self.warnings)]
         return "\n".join(lines)
@@ -165,8 +168,9 @@ class Approach(NoTruthValue, Written):
         followed = self.verdict.outcome is Outcome.PROVED
         if followed and self.surface_velocity is None and self.least_slip is not None:
             texts.append(
-                f"u is not positive here: positive slip needs a surface that moves with a velocity below "
-                f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)}; nothing is said of where slip stops"
+                f"u is not positive here: on a surface that moves with a velocity below "
+                f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)} slip is positive until then; nothing is said "
+                "of where slip stops on others"
             )
         return tuple(texts)
 

@@ -398,7 +398,7 @@ def test_the_oscillator_needs_a_moving_surface() -> None:
     found = approach(OSCILLATOR, state)
     assert found.surface_velocity is None
     assert finite(found.least_slip) < arb("-0.6")  # u = -3/5 at the G-spot: the bound holds up to there
-    assert "needs a surface that moves" in str(found)
+    assert "on a surface that moves with a velocity below " in str(found)
     moving = approach(OSCILLATOR, state, surface_velocity=-1)
     assert moving.side == IMPACT
     assert moving.warnings == ()
@@ -459,3 +459,5 @@ def test_without_a_damper_no_side_is_named() -> None:
     found = from_model(replace(damped, regularisation=Regularisation.of(1, 1, 0)), "1/2", "-1/10")
     assert found.verdict.outcome is Outcome.PROVED
     assert (found.side, found.side_reason) == (None, "the contact has no damper (c = 0): nothing is damped")
+    assert (found.coefficient is None, "the side is" in found.rests_on) == (False, False)
+    assert (found.fast_exponent, "oscillation" in str(found)) == (None, False)

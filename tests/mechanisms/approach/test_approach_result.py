@@ -29,7 +29,7 @@ def test_what_is_said_of_each_end() -> None:
     assert " + C1 (-t)^beta + ..., t = 0 at the G-spot\n" in text
     assert "surface" not in text
     assert "\n  on a surface with the velocity u = -12/5\n" in str(replace(found, surface_velocity="-12/5"))
-    assert "on a surface" not in str(replace(found, surface_velocity=None))
+    assert "on a surface with" not in str(replace(found, surface_velocity=None))
     assert "\n  after the time t = " in text
     assert "\n  alpha_1 = " in text
     assert "\n  side: " not in str(event)
@@ -42,8 +42,8 @@ def test_what_is_said_of_each_end() -> None:
     assert not any(part in bare for part in ("after the time", "the G-spot:", "alpha_1", "beta", "C1 ="))
     assert bare.endswith("\n  noted")
     moving = replace(found, surface_velocity=None, least_slip=arb(-2))
-    assert moving.warnings[0].startswith("u is not positive here: positive slip needs a surface that moves with a vel")
-    assert moving.warnings[0].endswith("below -2.00001; nothing is said of where slip stops")
+    assert moving.warnings[0].startswith("u is not positive here: on a surface that moves with a velocity below -2.000")
+    assert moving.warnings[0].endswith(" slip is positive until then; nothing is said of where slip stops on others")
     assert replace(moving, least_slip=None).warnings == ()
     assert replace(moving, verdict=Verdict.undecided("it ends", Reason.BUDGET)).warnings == ()
     first, second = replace(moving, supposed=("y", "v")).warnings
@@ -58,3 +58,21 @@ def test_what_is_said_of_each_end() -> None:
     assert found.to_json()["rests_on"] != event.to_json()["rests_on"] == "proved for rigid slip"
     assert replace(found, time=None, alphas=None).to_json()["alphas"] is None
     assert len(found.to_json()["alphas"]) == 3
+
+
+def test_it_rests_on_no_more_than_there_is() -> None:
+    """No C1 at beta = 2 or 1, no side at alpha_2 = 0 or without a damper; nothing is proved of an open end."""
+    start = {"x": 0, "u": 3, "p": "1/2", "b": -2}
+    paper = "the side is the paper's statement at leading order as epsilon -> 0 (Sec. 4.5)"
+    for beta in (-2, -1):
+        found = approach(shipped_mechanism("model system", alpha_3=beta), start)
+        assert found.coefficient is None
+        assert found.rests_on == "reaching the G-spot is proved for rigid slip"
+        assert f"\n  {found.rests_on}\n" in str(found)
+        assert "the side" not in str(found)
+    no_side = approach(shipped_mechanism("model system", alpha_2=0, alpha_3="-1/2"), start | {"b": "-1/10"})
+    assert (no_side.side, no_side.exit_code) == (None, 2)
+    assert no_side.rests_on == "reaching the G-spot and C1 are proved for rigid slip"
+    assert paper in approach(shipped_mechanism("model system"), start).rests_on
+    undecided = approach(shipped_mechanism("model system"), start | {"u": "5/3"})
+    assert (undecided.end, undecided.rests_on) == (None, "")
