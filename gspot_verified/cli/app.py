@@ -22,11 +22,11 @@ QUIET_SECONDS = 10.0  # between two signs of life on stderr
 _running: ContextVar[str] = ContextVar("_running", default="")
 _VERSIONS = {
     "approach": 3,
-    "classify": 2,
+    "classify": 3,
     "cost": 2,
     "events": 2,
     "iwc": 2,
-    "report": 2,
+    "report": 3,
     "scenes": 2,
     "simulate": 3,
     "simulators": 2,

@@ -343,6 +343,7 @@ def test_the_paradox_proper_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     assert out.splitlines()[0] == line
     assert "p < 0 everywhere in contact there: the Painlevé paradox proper" in out
     assert "; of all configurations, not of the box alone\n" in out
+    assert "exit code 1: there is none in the region, proved." in " ".join(run(capsys, "classify", "--help")[1].split())
 
 
 def test_classify_in_a_box_and_with_a_budget(capsys: pytest.CaptureFixture[str]) -> None:

@@ -83,10 +83,11 @@ def classify(
     """A mechanism's G-spots: slip, Case, β, and what happens. A table; --verbose: also alpha_i.
 
     All of its G-spots with --all, --box, or where the file gives no place, or one that is no G-spot for these
-    parameters; then exit code 1: there is none, proved. The number of a G-spot is the N of --spot N elsewhere.
-    Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case open.
+    parameters; then exit code 1: there is none in the region, proved. The number of a G-spot is the N of --spot N
+    elsewhere. Exit code 2: the list may not be complete, or the balls of a point that is not rational leave the case
+    open.
 
-    With --table the one G-spot near the file's place is classified for each row of parameter values, in a CSV file;
+    With --table the G-spot found from the file's place is classified for each row of parameter values, in a CSV file;
     a row that is refused or undecided says why, and then the exit code is 2.
     """
     if table is not None:

@@ -143,7 +143,8 @@ def report(
     On your own mechanism, with --mechanism (and --set, --from, --scene, --budget): one page for a paper's appendix,
     mechanism.html, with mechanism.json and certificates beside it: its G-spots, cases and sides, the expansion,
     certified runs, pictures, hashes and the commands for each part. It needs no report.json. Exit code 0 when all that
-    is stated is proved, 1 when something is refuted (there is no G-spot, or a run), 2 when something is undecided.
+    is stated is proved, 1 when something is refuted (there is no G-spot in the region, or a run), 2 when something is
+    undecided.
 
     To check a report again, with --check: writes nothing. Exit code 0 when the independent checker verifies every
     certificate that its report.json names, and each says what it said then; 1 when one is rejected, missing or says

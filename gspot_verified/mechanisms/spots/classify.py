@@ -19,6 +19,7 @@ from gspot_verified.numbers.verdict import NoTruthValue
 from gspot_verified.numbers.written import Written
 from gspot_verified.signs.gamma.side import MAX_BETA, follows_text, gamma_sign, side_text
 
+GIVEN_CONDITIONS = "with the given conditions J = 0"
 _CASES = {"I": "alpha_2 < 0, alpha_1 < alpha_3 < 0", "II": "alpha_2 > 0, alpha_1 < alpha_3 < 0"}
 _NOT_THREE = "trajectories do not approach in the three ways: "
 _CASES["III"] = "alpha_2 < 0, alpha_3 < alpha_1 < 0"
@@ -44,14 +45,15 @@ class Classification(NoTruthValue, Written):
     no unique expansion. ``slip_velocity`` is u at the G-spot; ``a``, ``A``, ``B``, ``C`` and ``p`` = C - mu B (it is 0,
     or a ball around 0) are those of Sec. 1.1. ``notes`` say how the mechanism was read: negative slip is mirrored.
     ``number`` is that of the G-spot in the list of all, which ``spot`` takes everywhere; None where no list was made,
-    or one of a box. ``short_point`` is the point with six digits.
+    or one of a box. ``short_point`` is the point with six digits. In a box that is not exact the G-spot is the only one
+    with the components of ``fixed``, or where ``given_conditions`` with the conditions J that the mechanism gives.
     """
 
     ask: ClassVar[str] = '.case is "I", "II", "III", "none", or None (undecided)'
     written: ClassVar[str] = (
         "name point exact alpha_1 alpha_2 alpha_3 beta mean_force slip_velocity a A B C p case reason "
         "lift_off_sign_of_C1=lift_off_sign impact_sign_of_C1=impact_sign warnings integer_beta obstructed_order "
-        "fixed notes number"
+        "fixed given_conditions notes number"
     )
 
     name: str
@@ -74,6 +76,7 @@ class Classification(NoTruthValue, Written):
     C: Shown
     p: Shown
     fixed: tuple[str, ...] = ()
+    given_conditions: bool = False
     notes: tuple[str, ...] = ()
     regularisation: Regularisation = PAPER
     number: int | None = field(default=None, compare=False)
@@ -145,6 +148,8 @@ class Classification(NoTruthValue, Written):
             )
         if self.fixed:
             lines.append(f"  fixed components (conditions J): {', '.join(self.fixed)}")
+        if self.given_conditions:
+            lines.append(f"  {GIVEN_CONDITIONS}")
         lines += [f"  note: {note}" for note in self.notes]
         lines += [f"  warning: {warning}" for warning in self.warnings]
         return "\n".join(lines)
@@ -206,6 +211,7 @@ def classify_g_spot(spot: GSpot) -> Classification:
             C=C,
             p=p,
             fixed=spot.fixed,
+            given_conditions=bool(spot.mechanism.place.conditions),
             notes=spot.mechanism.notes,
             regularisation=spot.mechanism.regularisation,
             short_point=tuple(spot.in_short().items()),

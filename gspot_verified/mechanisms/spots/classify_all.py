@@ -26,7 +26,7 @@ from gspot_verified.numbers.verdict import NoTruthValue, Outcome, Verdict
 from gspot_verified.numbers.written import Written
 
 _FRICTION_BUDGET = 4000  # boxes: the critical friction is an extra here, a fifth of its own budget
-_MORE_BITS = 64  # for the G-spot at the place: its box is narrower than that in the list, and lies in it
+_MORE_BITS = 64  # for the G-spot of the place: its box is narrower than that in the list, and lies in it
 _NUMBERS = ("alpha_1", "alpha_2", "alpha_3", "u", "a", "A", "B", "C", "mu")
 
 
@@ -35,7 +35,7 @@ class AllClassified(NoTruthValue, Written):
     """The result of :func:`classify_all`: ``found`` are the G-spots, ``spots`` what each of ``found.spots`` is.
 
     ``vary`` names what depends on a free component, or has not the period of the conditions in an angle: it holds
-    for the value shown only. ``at_place`` is the number of the spot at the place that the mechanism names.
+    for the value shown only. ``at_place`` is the number of the spot found from the place that the mechanism names.
     """
 
     written: ClassVar[str] = "search=found critical_friction=critical spots vary"
@@ -125,7 +125,7 @@ def with_the_exact_one(g_spots: GSpots, named: GSpot | None) -> GSpots:
 
 
 def named_spot(mechanism: Mechanism, g_spots: GSpots, bits: int) -> GSpot | None:
-    """The G-spot at the place that the mechanism names; None where there are none in the list, or none is found."""
+    """The G-spot found from the place that the mechanism names; None where the list is empty, or none is found."""
     if not g_spots.spots:
         return None
     try:

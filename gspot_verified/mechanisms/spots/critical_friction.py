@@ -49,7 +49,7 @@ class CriticalFriction(NoTruthValue, Written):
     """The result of :func:`critical_friction`.
 
     For 0 <= mu < ``value``: p > 0 in every configuration with y = 0 in which the mass matrix is positive definite; at
-    mu = ``value`` (a ball) p vanishes at one of ``places``. ``value`` is infinite when no friction makes p vanish, and
+    mu = ``value`` (a ball) p vanishes at one of ``places``. ``value`` is infinite when no mu >= 0 makes p vanish, and
     None when nothing was found; ``reason`` says why. ``friction`` is the mechanism's own mu, None when it varies.
     ``mass_matrix`` is empty when the mass matrix is positive definite in every configuration with y = 0; else it says
     that it is not, or that this was not shown. ``held`` are fixed components with the values for which all this holds.
@@ -94,7 +94,7 @@ class CriticalFriction(NoTruthValue, Written):
         if self.value is None:
             return f"critical friction: not found: {self.reason}{self._conditions()}"
         if not self.value.is_finite():
-            why = self.reason or f"for every mu p > 0 {_EVERYWHERE}"
+            why = self.reason or f"for every mu >= 0 p > 0 {_EVERYWHERE}"
             return f"critical friction: infinite ({why}){self._conditions()}"
         places = "; ".join(", ".join(f"{word} = {text}" for word, text in place) for place in self.places)
         where = "at" if len(self.places) == 1 else "at one of these places, at least:"

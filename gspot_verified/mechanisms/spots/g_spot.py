@@ -99,7 +99,7 @@ def _counted_from(mechanism: Mechanism, word: str, text: str) -> str:
 
 
 def find_g_spot(mechanism: Mechanism, bits: int = DEFAULT_BITS) -> GSpot:
-    """The G-spot at or near the place that the mechanism names.
+    """The G-spot at the place that the mechanism names, or the one that Newton's method finds from it.
 
     Exact when the place is rational and everything there is; otherwise a box that holds exactly one G-spot (with the
     conditions J), with a proof.

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from gspot_verified.mechanisms.spots.classify import Classification
+from gspot_verified.mechanisms.spots.classify import GIVEN_CONDITIONS, Classification
 from gspot_verified.numbers.short_text import table_text
 
 _HEADS = ("no.", "place", "slip u", "Case", "β", "what happens as ε → 0")
-_STAR = "* at the place that the mechanism names: taken where no number is given"
+_STAR = "* found from the place that the mechanism names: taken where no number is given"
 _C1 = "C1 says on which side of the distinguished trajectory a slip arrives: `approach` encloses it"
 
 
@@ -16,7 +16,7 @@ def spot_table(spots: Sequence[Classification], follow: Collection[str] = (), at
     """The lines of the table, then what must be known of some of the G-spots.
 
     Numbers are rounded to six digits. Components that are fixed, or in ``follow``, are not in the place. ``at_place``
-    is the number of the one at the place that the mechanism names, which gets a star.
+    is the number of the one that is found from the place that the mechanism names, which gets a star.
 
     >>> from gspot_verified import classify, load
     >>> print("\\n".join(spot_table([classify(load("falling rod"))])))
@@ -57,13 +57,14 @@ def _remarks(spots: Sequence[Classification]) -> list[str]:
 
 
 def one_spot(spot: Classification) -> str:
-    """The table for the G-spot at the place that its mechanism names.
+    """The table for the G-spot that is found from the place that its mechanism names.
 
     >>> from gspot_verified import classify, load
     >>> print(one_spot(classify(load("falling rod"))).splitlines()[0])
     falling rod: proved: a G-spot, exactly at the place of its file; X = 0, X_dot = 2 fixed
     """
-    where = "exactly at the place of its file" if spot.exact else "the only one in a box at the place of its file"
+    found = "exactly at" if spot.exact else "the only one in a box, found from"
     held = ", ".join(f"{word} = {text}" for word, text in spot.short_point if word in spot.fixed)
-    first = f"{spot.name}: proved: a G-spot, {where}{f'; {held} fixed' if held else ''}"
+    conditions = f"; {held} fixed" if held else f"; {GIVEN_CONDITIONS}" if spot.given_conditions else ""
+    first = f"{spot.name}: proved: a G-spot, {found} the place of its file{conditions}"
     return "\n".join([first, *spot_table([spot])])

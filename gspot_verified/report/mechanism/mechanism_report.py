@@ -23,7 +23,7 @@ from gspot_verified.scenes.scene.file import files_read
 PAGE, DATA = "mechanism.html", "mechanism.json"
 WRITTEN = re.compile(r"(mechanism\.(toml|html|json)|scene\.toml|g-spot-[0-9]+.*)")
 """The names of the files of a report."""
-SCHEMA = "gspot-verified/mechanism-report/1"
+SCHEMA = "gspot-verified/mechanism-report/2"
 
 
 def mechanism_page(report: MechanismReport) -> str:
@@ -88,8 +88,8 @@ def mechanism_report(
         work.
 
     >>> report = mechanism_report("falling-rod-lower-friction", settings={"mu": "13/10"})
-    >>> report.exit_code, report.search.text.partition(":")[0]
-    (1, 'falling rod, lower friction, mu = 13/10 has no G-spot')
+    >>> report.exit_code, report.search.text.partition(", refuted")[0]
+    (1, 'falling rod, lower friction, mu = 13/10 has no G-spot in the region')
     """
     if directory is not None:
         _check_folder(Path(directory))

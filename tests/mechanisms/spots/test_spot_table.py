@@ -47,7 +47,7 @@ def test_one_row_for_each_with_its_number_and_the_file_s_own_has_a_star() -> Non
     assert lines[0].split("  ")[1] == "no."
     assert [line.split()[0] for line in lines[1:7]] == ["1", "2*", "3", "4", "5", "6"]
     assert all("psi" not in line for line in lines[:7])
-    assert lines[7].strip().startswith("* at the place")
+    assert lines[7].strip().startswith("* found from the place")
     (warning,) = [line for line in lines if "warning" in line]
     assert "warning (G-spot 2): u < 0 at the G-spot" in warning
     # Two of the six are in Case III: what C1 says is said for them.
@@ -97,3 +97,23 @@ def test_a_fixed_component_has_all_of_its_digits(tmp_path: Path) -> None:
     first, _, row, *_ = one_spot(classify(load(tmp_path / "rod.toml"))).splitlines()
     assert first.endswith("; X = 0, X_dot = 2.000000001 fixed")
     assert " 1.40000 " in row
+
+
+def test_newton_s_limit_is_found_from_the_place_not_at_it() -> None:
+    """With mu = 9/5 the ellipse's G-spot is at Y = 0.609; its file, from where it is searched, has Y = 9/16."""
+    first = one_spot(classify(shipped_mechanism("ellipse", mu="9/5"))).splitlines()[0]
+    assert first.endswith(", the only one in a box, found from the place of its file; X = 0, X_dot = 2 fixed")
+
+
+@pytest.mark.parametrize(("search", "found"), [(False, "exactly at"), (True, "the only one in a box, found from")])
+def test_given_conditions_are_named(tmp_path: Path, search: bool, found: str) -> None:
+    """x and u are free but for them: without them every box around this G-spot holds infinitely many."""
+    given = f'conditions = ["x^2 + u^2 - 2", "x - u"]\nsearch = {str(search).lower()}'
+    text = shipped_text("model system").replace('fixed = ["x", "u"]', given)
+    (tmp_path / "model.toml").write_text(text.replace("\nx = 0\n", "\nx = 1\n"), encoding="utf-8")
+    spot = classify(load(tmp_path / "model.toml"))
+    end = f"a G-spot, {found} the place of its file; with the given conditions J = 0"
+    assert one_spot(spot).splitlines()[0].endswith(end)
+    assert "\n  with the given conditions J = 0" in str(spot)
+    assert (spot.to_json()["given_conditions"], spot.to_json()["fixed"]) == (True, [])
+    assert classify(shipped_mechanism("model system")).to_json()["given_conditions"] is False

@@ -224,7 +224,7 @@ def test_the_files_beside_the_page(exact: Subject, tmp_path: Path) -> None:
         "mechanism.html", "mechanism.json", "mechanism.toml", "good.cert"
     }  # fmt: skip
     data = json.loads((place.parent / "mechanism.json").read_text(encoding="utf-8"))
-    assert data["schema"] == "gspot-verified/mechanism-report/1"
+    assert data["schema"] == "gspot-verified/mechanism-report/2"
     assert data["sha256"].keys() == {"mechanism.toml", "good.cert"}
     assert data["spots"][0]["parts"][0]["outcome"] == "proved"
     first = {file.name: file.read_bytes() for file in place.parent.iterdir()}
