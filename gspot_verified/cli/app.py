@@ -24,7 +24,7 @@ _VERSIONS = {
     "approach": 3,
     "classify": 3,
     "cost": 2,
-    "events": 2,
+    "events": 3,
     "iwc": 2,
     "report": 3,
     "scenes": 2,

@@ -24,6 +24,7 @@ PLAIN = {
     "cost.times.rows.Benchmark": "times that were measured",
     "certificates.text.Statement": "what any statement has, not a class of results",
     "compliant.model.normal_form.CompliantModel": "four numbers of a model, which claim nothing",
+    "compliant.model.normal_form.CompliantState": "five numbers of a state, which claim nothing",
     "cost.measurement.measurement.Measurement": "times that were measured",
     "cost.times.rows.TimeCurve": "times that were measured",
     "cost.benchmarks.theta.CostReport": "times that were measured",

@@ -34,7 +34,8 @@ def events(
 ) -> None:
     """What the compliant model does from a state, certified. Lift-off, flight, touch-down, an impact without collision.
 
-    Exit code 0 when the whole run is proved, 2 when a part is undecided.
+    Exit code 0 when the whole run is proved, or the run up to a contact that is lost again, as the first line says; 2
+    when a part is undecided.
     """
     from gspot_verified.compliant.model.normal_form import compliant_model
     from gspot_verified.compliant.model.state_text import state_from_text
@@ -54,5 +55,6 @@ def events(
     else:
         typer.echo(str(result))
         numbers = f"β = {model.beta}, α_1 = {model.alpha_1}, α_2 = {model.alpha_2}, ε = {epsilon}"
-        typer.echo(f"  the compliant model from p = {start.p}, b = {start.b}, {numbers}")
+        values = ", ".join(str(getattr(start, name)) for name in "pbyvz")
+        typer.echo(f"  the compliant model from (p, b, y, v, z) = ({values}), {numbers}")
     raise typer.Exit(result.verdict.exit_code)

@@ -52,7 +52,7 @@ class CompliantModel(Written):
 
 
 @dataclass(frozen=True, slots=True)
-class CompliantState:
+class CompliantState(Written):
     """p, b, y, v, z of the paper, in its units; in contact when y < z."""
 
     p: fmpq

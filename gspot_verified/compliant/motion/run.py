@@ -69,9 +69,13 @@ class Event(NoTruthValue, Written):
 
 @dataclass(frozen=True, slots=True)
 class CompliantRun(NoTruthValue, Written):
-    """The events of a run from an initial state, in order; the verdict speaks of the whole run."""
+    """The events of a run from an initial state, in order.
 
-    written: ClassVar[str] = "model start=start times events verdict"
+    The verdict speaks of the whole run, or of it up to a contact that is lost again: then neither when, nor what
+    follows, is known.
+    """
+
+    written: ClassVar[str] = "model state start=start times events verdict"
 
     model: CompliantModel
     state: CompliantState
