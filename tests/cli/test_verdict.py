@@ -51,6 +51,18 @@ def test_undecided_says_which_inequality_fails(capsys: pytest.CaptureFixture[str
     assert "it is proved up to epsilon = " in output
 
 
+@pytest.mark.slow
+def test_an_explicit_bound_that_was_asked_for_and_is_undecided_leaves_with_2(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    words = ("extended-system", "--from", "x=0,u=70,p=1/2,b=-2")
+    code, output, _ = run(capsys, *words, "--explicit")
+    assert code == 2
+    assert output.startswith("proved: extended system")
+    assert "section 8): undecided: " in output
+    assert run(capsys, *words)[0] == 0
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

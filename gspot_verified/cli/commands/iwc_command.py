@@ -17,6 +17,7 @@ from gspot_verified.cli.output import Outputs
 
 if TYPE_CHECKING:
     from gspot_verified.expansion.from_state.model_side import ModelSide
+    from gspot_verified.mechanisms.approach.mechanism_side import MechanismSide
 
 
 @app.command(epilog=example("iwc --beta 7/3"))
@@ -154,8 +155,8 @@ def verdict(
     are analytic at the G-spot, these are components, and the state is near enough to the G-spot; with --explicit where
     they are not: for starts around a state near the G-spot that rigid slip passes, and around your own. With --beta and
     --from: the model system (constant α's) from p and b, with an explicit ε0. With --beta alone: every mechanism of
-    Case III with this β; ε0 is not computed. Exit code 0 when it is proved, 2 when undecided; what is not certain is
-    printed then.
+    Case III with this β; ε0 is not computed. Exit code 0 when it is proved, 2 when undecided, with --explicit also
+    where an explicit ε0 is; what is not certain is printed then.
     """
     from gspot_verified.cli.load import components
     from gspot_verified.expansion.from_state.limit_side import LimitSide, limit_side
@@ -215,7 +216,13 @@ def verdict(
     show(found, as_json)
     if certificate is not None and isinstance(found, ModelSide):
         _write_certificate(outputs, certificate, found, progress if as_json else typer.echo)
-    outputs.leave(found.verdict.exit_code)
+    left_open = explicit and isinstance(found, MechanismSide) and _explicit_is_open(found)
+    outputs.leave(2 if left_open else found.verdict.exit_code)
+
+
+def _explicit_is_open(found: MechanismSide) -> bool:
+    own = found.own
+    return found.explicit is None or found.explicit.side is None or (own is not None and own.side is None)
 
 
 def _write_certificate(outputs: Outputs, place: Path, side: ModelSide, say: Callable[[str], object]) -> None:
