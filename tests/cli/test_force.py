@@ -37,6 +37,19 @@ def test_from_a_state(capsys: pytest.CaptureFixture[str]) -> None:
     assert "1.3333" in output
 
 
+def test_the_force_is_that_of_the_contact_phase(capsys: pytest.CaptureFixture[str]) -> None:
+    """Contact is lost at t = 0.035; what follows it in contact is not the model's force."""
+    words = ("force", "--beta", "3/2", "--eps", "1e-3", "--t", "1/10", "--state=1/2,-2,-8e-6,0,-4e-6")
+    said = (
+        "the contact phase of the compliant model (the model as long as contact has lasted), from the initial state "
+        "(p, b, y, v, z) = (1/2,-2,-8e-6,0,-4e-6), β = 3/2, α_1 = -1, α_2 = -1, ε = 1e-3"
+    )
+    _, output, _ = run(capsys, *words)
+    assert output.splitlines()[-1].strip() == said
+    _, output, _ = run(capsys, *words, "--json")
+    assert json.loads(output)["system"] == said
+
+
 def test_whether_contact_has_lasted(capsys: pytest.CaptureFixture[str]) -> None:
     words = ("force", "--beta", "5/2", "--eps", "1/1000", f"--state={STATE}", "--certify")
     code, output, _ = run(capsys, *words, "--t", "1/100")

@@ -57,12 +57,15 @@ def force(
         charge = fmpq(gamma_sign(model.beta) or 1) if c1 is None else rational(c1, "c1")
         result = compliant_force(model, SlowMotions(charge), t, digits)
         where = f"on its slow manifold, b + (α2/(α3-α1)) p ~ C1 (-t)^β, C1 = {charge}"
+    contact = "the contact phase of the compliant model (the model as long as contact has lasted)"
+    numbers = f"β = {model.beta}, α_1 = {model.alpha_1}, α_2 = {model.alpha_2}, ε = {epsilon}"
+    system = f"{contact}, {where}, {numbers}"
     if as_json:
         certified = {} if lasting is None else {"contact_lasts": lasting.to_json()}
-        print_json({**result.to_json(), **certified, "system": f"the compliant model, {where}"})
+        print_json({**result.to_json(), **certified, "system": system})
     else:
         typer.echo(str(result))
-        typer.echo(f"  the compliant model in contact, {where}, ε = {epsilon}")
+        typer.echo(f"  {system}")
         if lasting is not None:
             typer.echo(str(lasting))
     raise typer.Exit(0 if result.reached and (lasting is None or lasting.exit_code == 0) else 2)
