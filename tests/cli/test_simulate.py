@@ -489,3 +489,10 @@ def test_a_clock_that_no_start_gives_is_0() -> None:
     without = replace(scene, start={name: value for name, value in scene.start.items() if name != "t"})
     assert "t" in scene.start
     assert _not_integrated(without)["t"] == "0"
+
+
+def test_the_nu_of_the_model_says_its_b(capsys: pytest.CaptureFixture[str]) -> None:
+    """It was named as if it were a component that is not integrated."""
+    output = run(capsys, "simulate", "fig-varsim1", "--beta", "5/2", "--nu", "4")[1]
+    assert "from p = 1/2, b = -4/3, " in output
+    assert "not integrated: nu" not in output

@@ -332,10 +332,10 @@ def _start(scene: Scene) -> dict[str, fmpq | arb]:
 
 def _not_integrated(scene: Scene) -> dict[str, str]:
     """What the start gives beside the states that are integrated, and the mechanism's time: what effects that are left
-    out assume is asked of it, and forces can depend on it."""
+    out assume is asked of it, and forces can depend on it. The model's nu says its b."""
     from gspot_verified.mechanisms.input.mechanism import Lagrangian
 
-    shown = scene.initial().keys() | scene.enclosed_initial().keys()
+    shown = scene.initial().keys() | scene.enclosed_initial().keys() | ({"nu"} if scene.mechanism is None else set())
     found = {name: str(value) for name, value in scene.start.items() if name not in shown}
     motion = None if scene.mechanism is None else scene.mechanism.motion
     if isinstance(motion, Lagrangian) and motion.time and motion.time not in shown:

@@ -151,6 +151,7 @@ def _assembled(
         notes=mechanism.notes,
         budget=ended,
         fixed=question.fixed,
+        given_conditions=bool(mechanism.place.conditions),
     )
 
 

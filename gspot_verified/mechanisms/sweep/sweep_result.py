@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 from flint import fmpq
 
 from gspot_verified.expansion.series.regularisation import NO_DAMPER
+from gspot_verified.mechanisms.spots.classify import GIVEN_CONDITIONS
 from gspot_verified.mechanisms.sweep.sweep_cell import BOXES, BOXES_BEYOND
 from gspot_verified.mechanisms.sweep.sweep_fold import Fold
 from gspot_verified.mechanisms.sweep.sweep_grid import Axis
@@ -83,8 +84,9 @@ class Sweep(NoTruthValue, Written):
 
     ``start`` is where the spot was proved first, ``spot`` its state there. ``folds``: where it meets another one and
     vanishes (one parameter). ``notes`` say how the mechanism was read. ``budget``: that which ended before all pieces
-    that might have been divided were; None: none is left of those. ``fixed``: components that keep their value: where
-    G-spots form a curve or a surface, others are other ones, and may be of another Case.
+    that might have been divided were; None: none is left of those. ``fixed``: components that keep their value, or
+    ``given_conditions`` in their place: where G-spots form a curve or a surface, others are other ones, and may be of
+    another Case.
     """
 
     ask: ClassVar[str] = ".verdict.outcome says whether Case and side are settled on the whole range"
@@ -99,6 +101,7 @@ class Sweep(NoTruthValue, Written):
     notes: tuple[str, ...] = ()
     budget: int | None = None
     fixed: tuple[str, ...] = ()
+    given_conditions: bool = False
     _verdict: list[Verdict] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -133,8 +136,8 @@ class Sweep(NoTruthValue, Written):
     def asked(self) -> str:
         """What is settled on the pieces, and of which G-spot."""
         what = "Case" if any(map(_names_no_side, self._swept.counts())) else "Case and side"
-        spot = f"the continued G-spot with {', '.join(self.fixed)} fixed" if self.fixed else "the continued G-spot"
-        return f"{what} of {spot}"
+        held = f" with {', '.join(self.fixed)} fixed" if self.fixed else ""
+        return f"{what} of the continued G-spot{held or f' {GIVEN_CONDITIONS}' * self.given_conditions}"
 
     def _judged(self) -> Verdict:
         over = ", ".join(f"{axis.name} in [{axis.lower}, {axis.upper}]" for axis in self.axes)

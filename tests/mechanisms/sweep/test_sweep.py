@@ -18,10 +18,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples.families import family
 
+from gspot_verified import load
 from gspot_verified.expansion.series.regularisation import NO_DAMPER, Regularisation
 from gspot_verified.mechanisms.input.given import lagrangian
 from gspot_verified.mechanisms.input.mechanism import Mechanism, MechanismError
-from gspot_verified.mechanisms.shipped import shipped_mechanism
+from gspot_verified.mechanisms.shipped import shipped_mechanism, shipped_text
 from gspot_verified.mechanisms.spots.classify import classify_g_spot
 from gspot_verified.mechanisms.spots.g_spot import find_g_spot
 from gspot_verified.mechanisms.sweep.sweep import sweep
@@ -228,6 +229,14 @@ def test_without_a_damper_no_side_is_named() -> None:
         assert {(piece.kind, *piece.answer) for piece in result.pieces} == {(Kind.SETTLED, case, None, None)}
         assert f"Case {case}: no side: {NO_DAMPER}" in str(result)
         assert ": Case of the continued G-spot" in result.verdict.statement
+
+
+def test_given_conditions_stand_in_the_statement(tmp_path: Path) -> None:
+    """Without them "the continued G-spot" is one of infinitely many."""
+    text = shipped_text("model system").replace('fixed = ["x", "u"]', 'conditions = ["x^2 + u^2 - 2", "x - u"]')
+    (tmp_path / "model.toml").write_text(text.replace("\nx = 0\n", "\nx = 1\n"), encoding="utf-8")
+    result = sweep(load(tmp_path / "model.toml"), {"alpha_3": "-9/5..-7/5:1"})
+    assert ": Case and side of the continued G-spot with the given conditions J = 0 for every" in str(result)
 
 
 def test_two_spots_close_by_are_not_mixed_up() -> None:
