@@ -29,6 +29,7 @@ _NOT_FURTHER = "the run is not followed further"
 @dataclass
 class Record:
     """What a run at one precision has shown; ``multiples``: how far each impact is shown to grow, None: no limit.
+    ``limits``: the same of each in words.
 
     ``violated``: the effect whose absence is wrong, when, and what was compared. ``seen``: up to when those that are
     watched hold. ``shown``: the evidence of each event; ``ended``: that of the end of the run, None where it was not
@@ -39,6 +40,7 @@ class Record:
     events: list[RunEvent] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
     multiples: list[int | None] = field(default_factory=list)
+    limits: list[str] = field(default_factory=list)
     open: Open | None = None
     for_ever: bool = False
     violated: tuple[str, arb, Evidence] | None = None
@@ -54,11 +56,11 @@ class Record:
         return every([equal(len(self.shown), len(self.events)), *self.shown, self.ended])
 
 
-def growth_words(growth: ExponentialGrowth, sticks: bool, since: arb | None) -> str:
-    """How λ_N grows; ``since``: from which time on, where that is not the time of the event."""
+def growth_words(growth: ExponentialGrowth, sticks: bool, since: arb | None, rated: bool = True) -> str:
+    """How λ_N grows; ``since``: from which time on, where that is not that of the event. ``rated``: and how fast."""
     rate, motion = rounded_text(float_bounds(growth.rate)[0], -1), "stick" if sticks else "slip"
     begin = "" if since is None else f"from t = {rounded_text(float_bounds(since)[1], 1, 6)} after the start on "
-    grows = f"{begin}λ_N grows at least like exp({rate} t/ε)"
+    grows = f"{begin}λ_N grows{f' at least like exp({rate} t/ε)' if rated else ''}"
     if growth.until is not None:
         return f"{grows} until it is {growth.until} times as large, or {motion} ends"
     lasting = f"{grows} for as long as the contact {motion}s"
@@ -67,21 +69,26 @@ def growth_words(growth: ExponentialGrowth, sticks: bool, since: arb | None) -> 
     return f"{lasting}, which ends within {rounded_text(float_bounds(growth.within)[1], 1)} ε"
 
 
-def statement(fate: str, span: str, multiples: Sequence[int | None] = (), phase: str = SLIP) -> str:
+def statement(
+    fate: str, span: str, multiples: Sequence[int | None] = (), limits: Sequence[str] = (), phase: str = SLIP
+) -> str:
     """What is proved. An impact without collision that no cone shows is not excluded, so "no event" would be too much;
-    and where a cone shows the growth of λ_N up to a multiple only, the multiple is part of the statement. ``phase`` is
-    the last one: where it is the only one and not slip, it is named.
+    and where a cone shows the growth of λ_N up to a multiple only, the multiple is part of the statement, which then is
+    true of every impact of the run; else ``limits`` says of each how long λ_N grows. ``phase`` is the last one: where
+    it is the only one and not slip, it is named.
 
     >>> statement("lift-off", " until t = 1 after the start")
     'lift-off until t = 1 after the start, and no other change of phase'
     >>> statement("impact without collision", "", (8, None))
     'impact without collision (λ_N grows 8-fold, or slip or stick ends), and no other change of phase'
+    >>> statement("impact without collision", "", (None,), ("λ_N grows for as long as the contact slips",))
+    'impact without collision (λ_N grows for as long as the contact slips), and no other change of phase'
     """
     if fate == NO_EVENT:
         return f"no change of phase{span}" if phase == SLIP else f"{phase} from the start on, no change of phase{span}"
     known = [multiple for multiple in multiples if multiple is not None]
-    limit = f" (λ_N grows {min(known)}-fold, or slip or stick ends)" if known else ""
-    return f"{fate}{limit}{span}, and no other change of phase"
+    said = f"λ_N grows {min(known)}-fold, or slip or stick ends" if known else "; then ".join(limits)
+    return f"{fate}{f' ({said})' if said else ''}{span}, and no other change of phase"
 
 
 def bracket(time: arb, epsilon: fmpq) -> tuple[fmpq, fmpq]:
@@ -157,7 +164,8 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
         return SceneRun(CERTIFIED, REFUTED, events, verdict, assumptions=assumptions)
     if record.open is None:
         fate = fate_of(names)
-        said = statement(fate, span, record.multiples, record.phase) + on
+        limits = () if record.for_ever and len(record.limits) == 1 else record.limits
+        said = statement(fate, span, record.multiples, limits, record.phase) + on
         return SceneRun(
             CERTIFIED, fate, events, Verdict.proved(said, record.evidence, remarks), assumptions=assumptions
         )

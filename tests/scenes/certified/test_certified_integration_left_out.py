@@ -383,8 +383,15 @@ def test_a_statement_says_how_far_growth_is_shown() -> None:
     assert statement(IMPACT, "", (None,)) == "impact without collision, and no other change of phase"
     assert "(λ_N grows 8-fold, or slip or stick ends)" in statement(IMPACT, "", (64, 8, None))
     impact = event_of(IMPACT, arb(1), EPSILON)
-    for_ever = result(Record([impact], multiples=[None], for_ever=True, shown=[SHOWN], ended=SHOWN))
+    words = "λ_N grows for as long as the contact slips"
+    for_ever = result(Record([impact], multiples=[None], limits=[words], for_ever=True, shown=[SHOWN], ended=SHOWN))
     assert for_ever.verdict.statement == "impact without collision, and no other change of phase"
+    ends = f"{words}, which ends within 0.3 ε"
+    limited = result(Record([impact], multiples=[None], limits=[ends], shown=[SHOWN], ended=SHOWN))
+    assert limited.verdict.statement.startswith(f"impact without collision ({ends})")
+    both = [impact, impact]
+    last = Record(both, multiples=[None, None], limits=[ends, words], for_ever=True, shown=[SHOWN, SHOWN], ended=SHOWN)
+    assert f" ({ends}; then {words})" in result(last).verdict.statement
 
 
 SMALL = st.fractions(min_value=-1, max_value=1, max_denominator=4)
