@@ -112,6 +112,7 @@ class MechanismMotion:
         if "x" in sees and mechanism.x is None:
             raise SceneError(f"{mechanism.name}: effect 'tangential_place' needs x; it gives a slip velocity")
         self._shifted = shift(mechanism, slip_speed=True)
+        self._check_functions()
         self.sees_slip_speed = depends_on_slip_speed(mechanism, self._shifted.functions)
         r = mechanism.regularisation
         self.parameters: Mapping[str, fmpq] = {"k_1": r.k_1, "k_2": r.k_2, "damping": r.c}
@@ -139,13 +140,19 @@ class MechanismMotion:
         time = motion.time if isinstance(motion, Lagrangian) else None
         return tuple(i for i, name in enumerate(state) if name not in self._start and name != time)
 
-    def _check_names(self) -> None:
-        """A component must not have the name of something else in a scene; p may be p itself."""
+    def _check_functions(self) -> None:
+        """A component must not have the name of something else in a scene; p may be p itself. Before the start is read:
+        its y, v, z are those of the contact."""
         state, f = self.mechanism.state, self._shifted.functions
         own = {name: getattr(f, name) for name in SCENE_FUNCTIONS}
         clash = [name for name in own if name in state and own[name] is not Variable(state.index(name))]
-        clash += [name for name in SCENE_NAMES if name in self.kept or (name == "z" and name in state)]
-        clash += [name for name in self.kept if name.endswith(SCENE_END)]
+        self._refuse([*clash, *(name for name in ("z",) if name in state)])
+
+    def _check_names(self) -> None:
+        clash = [name for name in SCENE_NAMES if name in self.kept]
+        self._refuse([*clash, *(name for name in self.kept if name.endswith(SCENE_END))])
+
+    def _refuse(self, clash: Sequence[str]) -> None:
         if clash:
             raise SceneError(f"{self.mechanism.name}: scenes use the name {clash[0]!r}; give this component another")
 

@@ -385,6 +385,20 @@ def test_a_scene_file_with_a_mechanism_file(tmp_path: Path) -> None:
         parse_scene(text, tmp_path / "elsewhere")
 
 
+@pytest.mark.parametrize(("names", "clash"), [(("h", "w", "y", "v"), "y"), (("h", "y", "v", "b"), "y"),
+                                              (("h", "w", "p", "z"), "z")])  # fmt: skip
+def test_names_that_clash_are_told_before_the_start_is_read(names: Sequence[str], clash: str) -> None:
+    """The gap is h here; a component y was read as the gap, and "the state z is missing" was said."""
+    h, w, p, b = names
+    system = from_fields(
+        name="h", state=["x", "u", h, w, p, b], F=["u", 0, w, b, -1, -1],
+        G_T=[0, f"3/(2*(1 - {p}))", 0, "1/2", 0, f"-3/(4*(1 - {p}))"],
+        G_N=[0, "1/2", 0, f"(1 + {p})/2", 0, "3/4"], x="x", y=h, mu=f"1 - {p}",
+    )  # fmt: skip
+    with pytest.raises(SceneError, match=f"h: scenes use the name '{clash}'; give this component another"):
+        scene(system, u="1", x="0", **{p: "1/2", b: "-1"})
+
+
 def variables_of(function: Expression) -> set[int]:
     return {node.index for node in in_order([function]) if isinstance(node, Variable)}
 
