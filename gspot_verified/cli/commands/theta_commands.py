@@ -71,7 +71,7 @@ def side(
     state: Annotated[str | None, typer.Option(help="The exact side rule of this state in contact: p,b,y,v,z.")] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """The sign of Γ(−β), at one β or over a range, and the side it gives by the paper's rule as ε → 0.
+    """The sign of Γ(−β), and the side by the paper's rule as ε → 0. At one β or over a range.
 
     With --state: the exact side rule of the compliant model at one ε, K < 0: contact is certainly lost, with the
     paper's rule C1/Γ(−β) beside it.
