@@ -66,7 +66,7 @@ def approach(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Where slip from a state ends: a G-spot, lift-off, or it stops. At a G-spot: C1 in balls, lift-off or impact.
+    """Where slip from a state ends: G-spot, lift-off, or stop. At a G-spot: C1 in balls, lift-off or impact.
 
     Exit code 0 when that is proved and, at a G-spot, the side is known; else 2.
 
