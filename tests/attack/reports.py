@@ -201,10 +201,14 @@ def _with_markup(random: Random) -> Answer:
     places = list(_texts(report))
     many = random.random() < 0.5
     for path in random.sample(places, len(places) // 3 if many else 1):
-        if path[-1] in ("outcome", "rung", "reason") or "rests_on" in path or path[0] == "schema":
+        if path[-1] in ("outcome", "rung", "reason") or {"rests_on", "routes"} & set(path) or path[0] == "schema":
+            continue
+        if (path[0], path[-1]) == ("certificates", "name"):  # that of a file: _with_paths
             continue
         _put(report, path, random.choice(_MARKUP))
     for row in report["entries"]:
+        for route, check in zip(row["routes"], row["checks"], strict=False):  # else each forgery is refused for this
+            route["what"] = check["what"]
         for quotation in row["quotations"]:
             quotation["latex"] = random.choice((quotation["latex"], random.choice(_MARKUP)))
     return _judged(report)
