@@ -142,7 +142,8 @@ class Approach(NoTruthValue, Written):
             lines.append(f"  {case_text(self.case)}, beta = {ball_text(self.beta)}")
         if self.coefficient is not None:
             lines.append(
-                f"  C1 = {ball_text(self.coefficient)}, b = b_distinguished + C1 (-t)^beta + ..., t = 0 at the G-spot"
+                f"  C1 = {ball_text(self.coefficient)}, b = b_distinguished + C1 (-t)^beta + ..."
+                " (t counted from the G-spot)"
             )
         if self.end == "G-spot":
             lines.append(f"  side: {self.side or 'undecided'} ({self.side_reason})")

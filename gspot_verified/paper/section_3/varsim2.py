@@ -73,8 +73,8 @@ def grows_after_the_spot(nu: fmpq) -> bool | None:
     begins = [event.lower for event in run.events if event.name == IMPACT]
     if run.verdict.outcome is not Outcome.PROVED or len(begins) != 1:
         return None
-    without_limit = run.verdict.statement.startswith(f"{run.fate} until t")
-    return (begins[0] > AT_SPOT and without_limit) or None
+    lasting = run.verdict.statement.startswith(f"{run.fate} (λ_N grows for as long as the contact slips")
+    return (begins[0] > AT_SPOT and lasting) or None
 
 
 def slip_velocity(nu: fmpq, time: fmpq) -> arb:

@@ -26,7 +26,7 @@ def test_what_is_said_of_each_end() -> None:
     assert f"\n  Case {found.case}, beta = " in text
     assert "\n  C1 = " in text
     assert " from the start\n" in text
-    assert " + C1 (-t)^beta + ..., t = 0 at the G-spot\n" in text
+    assert " + C1 (-t)^beta + ... (t counted from the G-spot)\n" in text
     assert "surface" not in text
     assert "\n  on a surface with the velocity u = -12/5\n" in str(replace(found, surface_velocity="-12/5"))
     assert "on a surface with" not in str(replace(found, surface_velocity=None))

@@ -25,11 +25,12 @@ QUARTER, FOUR = fmpq(1, 4), fmpq(4)
 def run(*events: tuple[str, Any], proved: bool = True, multiples: tuple[int | None, ...] = ()) -> Any:
     """A run with these events, each at one time; λ_N is seen to grow up to the least of the multiples."""
     outcome = Outcome.PROVED if proved else Outcome.UNDECIDED
-    fate = ", ".join(name for name, _ in events)
+    fate, span = ", ".join(name for name, _ in events), " until t = 3 after the start"
+    said = statement(fate, span, multiples, ("λ_N grows for as long as the contact slips",))
     return SimpleNamespace(
         events=[RunEvent(name, fmpq(time), fmpq(time)) for name, time in events],
         fate=fate,
-        verdict=SimpleNamespace(outcome=outcome, statement=statement(fate, " until t = 3 after the start", multiples)),
+        verdict=SimpleNamespace(outcome=outcome, statement=said),
     )
 
 

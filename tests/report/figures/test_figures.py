@@ -50,7 +50,7 @@ def test_captions_count_what_was_certified(pictures):
     assert "685 of 685 have 12 significant digits" in captions["theta"]
     assert "all 360 boxes lie below 0" in captions["slope"]
     assert "certain at 164 of 164 points" in captions["series"]
-    assert "at 244 of 244 of them the value lies above leading order" in captions["force"]
+    assert "at 244 of 244 of them the value, in units in which leading order is Θ, lies above it" in captions["force"]
 
 
 def test_slope_caption_says_so_when_a_box_is_not_settled(monkeypatch):
