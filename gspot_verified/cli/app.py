@@ -28,6 +28,7 @@ _VERSIONS = {
     "iwc": 2,
     "report": 3,
     "scenes": 2,
+    "side": 2,
     "simulate": 3,
     "simulators": 2,
     "theta": 2,

@@ -39,7 +39,7 @@ class SideRule(NoTruthValue, Written):
     K < 0: contact is lost, certainly. K > 0: necessary for an impact without collision, not sufficient.
     """
 
-    written: ClassVar[str] = "C=slow K=side slow_part=slow_side fast_part=fast_side paper_differs verdict"
+    written: ClassVar[str] = "C=slow K=side slow_part=slow_side fast_part=fast_side in_case_iii paper_differs verdict"
 
     state: Deviation
     slow: arb | None

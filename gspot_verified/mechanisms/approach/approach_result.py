@@ -117,7 +117,7 @@ class Approach(NoTruthValue, Written):
 
     @property
     def exit_code(self) -> int:
-        """0 when the end is proved and, at a G-spot in one of the cases, the side is known; 2 otherwise."""
+        """0 when the end is proved and, at a G-spot, the side is known; 2 otherwise."""
         open_side = self.end == "G-spot" and self.side is None
         return 0 if self.verdict.outcome is Outcome.PROVED and not open_side else 2
 
@@ -170,8 +170,8 @@ class Approach(NoTruthValue, Written):
         if followed and self.surface_velocity is None and self.least_slip is not None:
             texts.append(
                 f"u is not positive here: on a surface that moves with a velocity below "
-                f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)} slip is positive until then; nothing is said "
-                "of where slip stops on others"
+                f"{rounded_text(float_bounds(self.least_slip)[0], -1, 6)} rigid slip is positive until then; nothing "
+                "is said of where slip stops on others"
             )
         return tuple(texts)
 

@@ -34,10 +34,11 @@ _WORDS = {
     Fate.UNDECIDED: "undecided",
 }
 
+_REACH = {Fate.BELOW, Fate.ABOVE, Fate.SPOT}
 _NOT_KNOWN = {Fate.SPOT, Fate.UNDECIDED}
 """Those that leave something open: their share is rounded up."""
 
-_ENDS = {Fate.BELOW, Fate.ABOVE, Fate.SPOT, Fate.LIFT_OFF, Fate.STOPS}
+_ENDS = {*_REACH, Fate.LIFT_OFF, Fate.STOPS}
 """Those in which slip is followed to its end."""
 
 
@@ -126,8 +127,9 @@ class Fates(NoTruthValue, Written):
 
     def __str__(self) -> str:
         lines = [str(self.verdict)]
-        spots = f"{case_text(self.sides.case)}, beta = {ball_text(self.sides.beta, 8)}"
-        lines.append(f"  each G-spot that is reached: {spots}")
+        reached = any(piece.fate in _REACH for piece in self.pieces)
+        which = "each G-spot that a piece is said to reach" if reached else "the G-spot that was looked for"
+        lines.append(f"  {which}: {case_text(self.sides.case)}, beta = {ball_text(self.sides.beta, 8)}")
         for fate in Fate:
             share = self.shares.get(fate.value)
             if share is not None:

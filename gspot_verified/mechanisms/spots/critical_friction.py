@@ -106,7 +106,7 @@ class CriticalFriction(NoTruthValue, Written):
     def _conditions(self) -> str:
         """What is to be known of the configurations beside."""
         held = "with " + ", ".join(f"{word} = {value}" for word, value in self.held) + " fixed" if self.held else ""
-        scope = "of all configurations, not of the box alone" if self.beyond_box else ""
+        scope = "of all configurations, not of the box alone" if self.beyond_box and self.value is not None else ""
         return "".join(f"; {text}" for text in (scope, held, self.mass_matrix) if text)
 
     def in_short(self) -> str:

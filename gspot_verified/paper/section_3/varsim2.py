@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import lru_cache, partial
 
@@ -73,8 +74,11 @@ def grows_after_the_spot(nu: fmpq) -> bool | None:
     begins = [event.lower for event in run.events if event.name == IMPACT]
     if run.verdict.outcome is not Outcome.PROVED or len(begins) != 1:
         return None
-    lasting = run.verdict.statement.startswith(f"{run.fate} (λ_N grows for as long as the contact slips")
-    return (begins[0] > AT_SPOT and lasting) or None
+    until_slip_ends = re.match(
+        rf"{re.escape(run.fate)} \(λ_N grows at least like exp\(\S+ t/ε\) for as long as the contact slips",
+        run.verdict.statement,
+    )
+    return (begins[0] > AT_SPOT and until_slip_ends is not None) or None
 
 
 def slip_velocity(nu: fmpq, time: fmpq) -> arb:

@@ -43,8 +43,8 @@ _ON_A_BELT = " Here u < 0: slip is positive only on a surface that moves faster 
 
 
 def mechanism_picture(mechanism: Mechanism, state: StateInput | None = None, spot: int | None = None) -> Picture:
-    """The mechanism at the G-spot that its file names, at that of this number in the list of ``classify_all``, or at a
-    state of the user's own, as for :func:`mechanisms.approach.approach.approach`.
+    """The mechanism at the G-spot found from the place of its file, at that of this number in the list of
+    ``classify_all``, or at a state of the user's own, as for :func:`mechanisms.approach.approach.approach`.
 
     :raises MechanismError: it has no drawing, or is not complete.
     :raises GSpotError: it has no G-spot there.

@@ -319,10 +319,12 @@ def _limits(samples: Samples, panel: _Panel) -> tuple[float, float]:
 
 def caption(scene: Scene, runs: Sequence[SceneRun], theory: Sequence[Curve], over: str) -> str:
     """What is certified in the picture of these runs over "t" or "p", and what is only drawn."""
-    parts = [f"{run.strength.capitalize()}: {run.fate}." for run in runs]
+    parts = [f"{run.heading.capitalize()}: {run.fate}." for run in runs]
     certified = [run for run in runs if run.strength == CERTIFIED]
     if certified:
-        parts.append("Certified are the events (marks in their brackets).")
+        impact = any(event.name == IMPACT for run in certified for event in run.events)
+        shown = "; an impact has its mark where it is shown, it may begin before" if impact else ""
+        parts.append(f"Certified are the events (marks in their brackets){shown}.")
     for verdict in (run.verdict for run in certified):
         parts.append(f"{verdict.outcome.value.capitalize()}: {verdict.statement}.")
     if any(run.samples is not None and run.samples.boxes is not None for run in certified):

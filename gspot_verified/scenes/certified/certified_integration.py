@@ -346,9 +346,8 @@ class _ImpactObserver:
             self._record.limits.append("")
             self._record.shown.append(shown)
         self._record.multiples[-1] = growth.until
-        since = time * self._epsilon if limited else None
-        self._record.remarks.append(growth_words(growth, self._sticks, since))
-        self._record.limits[-1] = growth_words(growth, self._sticks, since, rated=False)
+        self._record.limits[-1] = growth_words(growth, self._sticks, time * self._epsilon if limited else None)
+        self._record.remarks.append(self._record.limits[-1])
         self._record.for_ever = growth.until is None and growth.within is None and self._may_slip_for_ever
         return self._record.for_ever
 

@@ -56,11 +56,11 @@ class Record:
         return every([equal(len(self.shown), len(self.events)), *self.shown, self.ended])
 
 
-def growth_words(growth: ExponentialGrowth, sticks: bool, since: arb | None, rated: bool = True) -> str:
-    """How λ_N grows; ``since``: from which time on, where that is not that of the event. ``rated``: and how fast."""
+def growth_words(growth: ExponentialGrowth, sticks: bool, since: arb | None) -> str:
+    """How λ_N grows; ``since``: from which time on, where that is not that of the event."""
     rate, motion = rounded_text(float_bounds(growth.rate)[0], -1), "stick" if sticks else "slip"
     begin = "" if since is None else f"from t = {rounded_text(float_bounds(since)[1], 1, 6)} after the start on "
-    grows = f"{begin}λ_N grows{f' at least like exp({rate} t/ε)' if rated else ''}"
+    grows = f"{begin}λ_N grows at least like exp({rate} t/ε)"
     if growth.until is not None:
         return f"{grows} until it is {growth.until} times as large, or {motion} ends"
     lasting = f"{grows} for as long as the contact {motion}s"
@@ -74,8 +74,8 @@ def statement(
 ) -> str:
     """What is proved. An impact without collision that no cone shows is not excluded, so "no event" would be too much;
     and where a cone shows the growth of λ_N up to a multiple only, the multiple is part of the statement, which then is
-    true of every impact of the run; else ``limits`` says of each how long λ_N grows. ``phase`` is the last one: where
-    it is the only one and not slip, it is named.
+    true of every impact of the run; else ``limits`` says of each how λ_N grows, and how long. ``phase`` is the last
+    one: where it is the only one and not slip, it is named.
 
     >>> statement("lift-off", " until t = 1 after the start")
     'lift-off until t = 1 after the start, and no other change of phase'
@@ -166,6 +166,7 @@ def result_of(scene: Scene, conditions: Conditions, record: Record) -> SceneRun:
         fate = fate_of(names)
         limits = () if record.for_ever and len(record.limits) == 1 else record.limits
         said = statement(fate, span, record.multiples, limits, record.phase) + on
+        remarks = "; ".join(remark for remark in record.remarks if remark not in said)
         return SceneRun(
             CERTIFIED, fate, events, Verdict.proved(said, record.evidence, remarks), assumptions=assumptions
         )

@@ -65,7 +65,7 @@ class AtTime(NamedTuple):
 
 
 class InBracket(NamedTuple):
-    """An event that is certified."""
+    """An event that is certified; of an impact without collision, when its growth is shown: it may begin before."""
 
     event: str
     lower: fmpq
@@ -99,9 +99,14 @@ class SceneRun(NoTruthValue, Written):
             return [AtTime(event.name, approximate(event.lower)) for event in self.events]
         return [InBracket(event.name, event.lower, event.upper) for event in self.events]
 
-    def __str__(self) -> str:
+    @property
+    def heading(self) -> str:
+        """How sure it is, and whether under a condition, which the statement names."""
         held = self.strength == CERTIFIED and provided(self.assumptions) and self.fate != OPEN
-        lines = [f"{self.strength}{', under the condition below' if held else ''}: {self.fate}"]
+        return f"{self.strength}{', under the condition below' if held else ''}"
+
+    def __str__(self) -> str:
+        lines = [f"{self.heading}: {self.fate}"]
         lines += [f"  {line}" for line in str(self.verdict).splitlines()]
         lines += [f"  {event.line(self.strength)}" for event in self.events]
         return "\n".join(lines + [f"  {assumption}" for assumption in self.assumptions])

@@ -43,7 +43,9 @@ def test_what_is_said_of_each_end() -> None:
     assert bare.endswith("\n  noted")
     moving = replace(found, surface_velocity=None, least_slip=arb(-2))
     assert moving.warnings[0].startswith("u is not positive here: on a surface that moves with a velocity below -2.000")
-    assert moving.warnings[0].endswith(" slip is positive until then; nothing is said of where slip stops on others")
+    assert moving.warnings[0].endswith(
+        " rigid slip is positive until then; nothing is said of where slip stops on others"
+    )
     assert replace(moving, least_slip=None).warnings == ()
     assert replace(moving, verdict=Verdict.undecided("it ends", Reason.BUDGET)).warnings == ()
     first, second = replace(moving, supposed=("y", "v")).warnings

@@ -295,7 +295,9 @@ def test_text_json_and_csv() -> None:
     for case, words in (("I", "Case I"), ("none", "no Case"), (None, "the Case is open")):
         sides = replace(result.sides, case=case, below=None, above=None, why="no rule")
         text = str(replace(result, sides=sides))
-        assert f"  each G-spot that is reached: {words}, beta = " in text
+        assert f"  each G-spot that a piece is said to reach: {words}, beta = " in text
+        nowhere = replace(result, sides=sides, pieces=tuple(replace(p, fate=Fate.UNDECIDED) for p in result.pieces))
+        assert f"  the G-spot that was looked for: {words}, beta = " in str(nowhere)
         assert text.endswith("\n  no side for small epsilon: no rule")
         assert sides.to_json()["rests_on"] == ""
     with pytest.raises(ValueError, match="a rational in"):

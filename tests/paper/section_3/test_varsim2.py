@@ -26,7 +26,7 @@ def run(*events: tuple[str, Any], proved: bool = True, multiples: tuple[int | No
     """A run with these events, each at one time; λ_N is seen to grow up to the least of the multiples."""
     outcome = Outcome.PROVED if proved else Outcome.UNDECIDED
     fate, span = ", ".join(name for name, _ in events), " until t = 3 after the start"
-    said = statement(fate, span, multiples, ("λ_N grows for as long as the contact slips",))
+    said = statement(fate, span, multiples, ("λ_N grows at least like exp(0.5 t/ε) for as long as the contact slips",))
     return SimpleNamespace(
         events=[RunEvent(name, fmpq(time), fmpq(time)) for name, time in events],
         fate=fate,
