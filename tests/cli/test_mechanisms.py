@@ -339,7 +339,7 @@ def test_the_paradox_proper_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "classify", "genot_brogliato_rod", "--box", "theta=4/5..6/5")
     assert code == 1
     region = "theta in [4/5, 6/5]; every value of theta_dot; X = 0, X_dot = 2 fixed"
-    line = f"falling rod of Génot and Brogliato has no G-spot in the region, refuted that there is one: {region}"
+    line = f"falling rod of Génot and Brogliato has no G-spot in the region (refuted that there is one): {region}"
     assert out.splitlines()[0] == line
     assert "p < 0 everywhere in contact there: the Painlevé paradox proper" in out
     assert "; of all configurations, not of the box alone\n" in out

@@ -204,7 +204,7 @@ class GSpots(NoTruthValue, Written):
     def _in_a_sentence(self) -> str:
         verdict = self.verdict
         if verdict.outcome is Outcome.REFUTED:
-            return f"{self.name} has no G-spot in the region, refuted that there is one: {self.region}"
+            return f"{self.name} has no G-spot in the region (refuted that there is one): {self.region}"
         return str(verdict).splitlines()[0]
 
     def _listed(self) -> list[str]:

@@ -88,7 +88,7 @@ def mechanism_report(
         work.
 
     >>> report = mechanism_report("falling-rod-lower-friction", settings={"mu": "13/10"})
-    >>> report.exit_code, report.search.text.partition(", refuted")[0]
+    >>> report.exit_code, report.search.text.partition(" (refuted")[0]
     (1, 'falling rod, lower friction, mu = 13/10 has no G-spot in the region')
     """
     if directory is not None:

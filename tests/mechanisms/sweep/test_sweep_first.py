@@ -76,7 +76,7 @@ def test_where_there_is_none_the_proof_is_in_the_message(rod: Mechanism) -> None
     """Below μ = 4/3 the rod has no G-spot: with a place and without."""
     for mechanism in (shipped_mechanism("genot_brogliato_rod"), rod):
         with pytest.raises(
-            GSpotError, match=r" has no G-spot in the region, refuted that there is one: every angle theta"
+            GSpotError, match=r" has no G-spot in the region \(refuted that there is one\): every angle theta"
         ):
             sweep(mechanism, {"mu": "1..1.2:3"})
 
