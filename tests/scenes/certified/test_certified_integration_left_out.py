@@ -392,6 +392,10 @@ def test_a_statement_says_how_far_growth_is_shown() -> None:
     both = [impact, impact]
     last = Record(both, multiples=[None, None], limits=[ends, words], for_ever=True, shown=[SHOWN, SHOWN], ended=SHOWN)
     assert f" ({ends}; then {words})" in result(last).verdict.statement
+    twice = replace(last, remarks=["seen beside", ends, words])
+    assert result(twice).verdict.detail == "seen beside"  # what the statement says is not said again
+    several = replace(twice, multiples=[8, None])
+    assert result(several).verdict.detail == f"seen beside; {ends}; {words}"
 
 
 SMALL = st.fractions(min_value=-1, max_value=1, max_denominator=4)
