@@ -54,7 +54,7 @@ def events(
         print_json(result.to_json())
     else:
         typer.echo(str(result))
-        numbers = f"β = {model.beta}, α_1 = {model.alpha_1}, α_2 = {model.alpha_2}, ε = {epsilon}"
+        numbers = f"{model.numbers}, ε = {epsilon}"
         values = ", ".join(str(getattr(start, name)) for name in "pbyvz")
         typer.echo(f"  the compliant model from (p, b, y, v, z) = ({values}), {numbers}")
     raise typer.Exit(result.verdict.exit_code)

@@ -58,7 +58,7 @@ def force(
         result = compliant_force(model, SlowMotions(charge), t, digits)
         where = f"on its slow manifold, b + (α2/(α3-α1)) p ~ C1 (-t)^β, C1 = {charge}"
     contact = "the contact phase of the compliant model (the model as long as contact has lasted)"
-    numbers = f"β = {model.beta}, α_1 = {model.alpha_1}, α_2 = {model.alpha_2}, ε = {epsilon}"
+    numbers = f"{model.numbers}, ε = {epsilon}"
     system = f"{contact}, {where}, {numbers}"
     if as_json:
         certified = {} if lasting is None else {"contact_lasts": lasting.to_json()}

@@ -105,7 +105,7 @@ def _side_of_state(beta: str | None, given: Mapping[str, str | None], state: str
     epsilon, alpha_1, alpha_2 = (_MODEL[name] if value is None else value for name, value in given.items())
     model = compliant_model(beta, epsilon, alpha_1=alpha_1, alpha_2=alpha_2)
     result = side_rule(model, state_from_text(state))
-    numbers = f"β = {model.beta}, α_1 = {model.alpha_1}, α_2 = {model.alpha_2}, ε = {epsilon}"
+    numbers = f"{model.numbers}, ε = {epsilon}"
     system = f"the compliant model from the initial state (p, b, y, v, z) = ({state}), {numbers}"
     if as_json:
         print_json({**result.to_json(), "system": system})

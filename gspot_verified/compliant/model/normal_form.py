@@ -36,6 +36,11 @@ class CompliantModel(Written):
         return self.alpha_3 / self.alpha_1
 
     @property
+    def numbers(self) -> str:
+        """beta and the alphas, as an output names them."""
+        return f"β = {self.beta}, α_1 = {self.alpha_1}, α_2 = {self.alpha_2}"
+
+    @property
     def sigma(self) -> fmpq:
         """1/|alpha_1|, the unit of time of the normal form."""
         return -1 / self.alpha_1
